@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A render as a resumable job: the command line, a server and a browser drive it the same way.
+//
+//   auto job = start_render(scene, settings, scheduler);
+//   while (!job->step(now + 50ms).done) { show progress; if (stop) job->cancel(); }
+//   Picture picture = job->picture();
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+#include "ir/scene/scene.hpp"
+#include "renderer/film/picture.hpp"
+#include "renderer/job/scheduler.hpp"
+#include "renderer/job/stats.hpp"
+#include "renderer/settings.hpp"
+
+namespace cobble::renderer {
+
+using Deadline = std::chrono::steady_clock::time_point;
+
+struct Progress {
+    bool done = false;       ///< finished or cancelled
+    double fraction = 0;     ///< of the samples, 0 to 1
+    std::uint64_t rays = 0;  ///< traced so far, of all kinds
+    double seconds = 0;      ///< spent in step() so far
+};
+
+class RenderJob {
+  public:
+    RenderJob() = default;
+    RenderJob(const RenderJob&) = delete;
+    RenderJob& operator=(const RenderJob&) = delete;
+    virtual ~RenderJob() = default;
+
+    /// Works until `deadline` (overrun by at most 10 ms) or until done. The first steps prepare the
+    /// scene. Results do not depend on deadlines, threads or tile size.
+    virtual Progress step(Deadline deadline) = 0;
+    /// May be called from another thread or a signal handler; the running step returns soon.
+    virtual void cancel() = 0;
+    /// What there is so far; complete if the job ran to its end.
+    [[nodiscard]] virtual Picture picture() const = 0;
+    [[nodiscard]] virtual Stats stats() const = 0;
+};
+
+/// `scene` and `scheduler` must outlive the job. Returns at once; all work happens in step().
+std::unique_ptr<RenderJob> start_render(const ir::Scene& scene, const Settings& settings,
+                                        Scheduler& scheduler);
+
+}  // namespace cobble::renderer

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The one place that knows about threads.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace cobble::renderer {
+
+/// Runs one function on all workers at once and waits for them.
+class Scheduler {
+  public:
+    Scheduler() = default;
+    Scheduler(const Scheduler&) = delete;
+    Scheduler& operator=(const Scheduler&) = delete;
+    virtual ~Scheduler() = default;
+
+    [[nodiscard]] virtual std::uint32_t workers() const = 0;
+    /// Calls work(worker) once for each worker in [0, workers()), concurrently, and returns when
+    /// all have returned. `work` must not throw.
+    virtual void run(const std::function<void(std::uint32_t worker)>& work) = 0;
+};
+
+/// Everything on the caller's thread: for a browser, and for tests.
+std::unique_ptr<Scheduler> make_serial_scheduler();
+
+/// `threads` workers (0: one a processor), the caller's thread among them.
+std::unique_ptr<Scheduler> make_thread_scheduler(std::uint32_t threads);
+
+}  // namespace cobble::renderer

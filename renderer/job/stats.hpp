@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What a render did, counted exactly and the same on every machine; only the seconds differ.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frontend/source/span.hpp"
+
+namespace cobble::renderer {
+
+/// Rays and tests, summed over all threads.
+struct Counters {
+    std::uint64_t camera_rays = 0;
+    std::uint64_t shadow_rays = 0;
+    std::uint64_t reflected_rays = 0;
+    std::uint64_t refracted_rays = 0;
+    std::uint64_t box_tests = 0;
+    std::uint64_t primitive_tests = 0;
+
+    [[nodiscard]] std::uint64_t rays() const {
+        return camera_rays + shadow_rays + reflected_rays + refracted_rays;
+    }
+    Counters& operator+=(const Counters& other);
+};
+
+/// A sample that came out NaN or infinite: counted, located and left out of its pixel.
+struct BadSample {
+    std::uint32_t x = 0, y = 0, sample = 0;
+    source::Span span;  ///< the object hit first; invalid if none
+};
+
+struct PhaseTime {
+    std::string name;
+    double seconds = 0;
+};
+
+struct Stats {
+    Counters counters;
+    std::uint64_t bad_sample_count = 0;
+    std::vector<BadSample> bad_samples;  ///< the first 16 in pixel order
+    std::vector<PhaseTime> phases;
+    std::uint64_t scene_bytes = 0;  ///< geometry, tree and textures as rendered
+};
+
+}  // namespace cobble::renderer

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Everything that a caller may choose about a render. Defaults are Cobble's own.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ir/scene/effects.hpp"
+#include "ir/scene/scene.hpp"
+
+namespace cobble::renderer {
+
+enum class Precision : std::uint8_t { kFloat, kDouble };
+enum class PixelFilter : std::uint8_t { kBox, kTent, kGaussian };
+enum class Acceleration : std::uint8_t { kBvh, kBruteForce };
+
+/// Pixels [x0, x1) x [y0, y1), y downwards from the top of the picture.
+struct Crop {
+    std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+struct Settings {
+    std::uint32_t width = 640;
+    std::uint32_t height = 480;
+    std::optional<Crop> crop;
+    std::uint32_t samples =
+        16;  ///< per pixel, from 1; 1 without any sampled effect is the pixel's centre
+    std::uint32_t bounces = 4;
+    std::uint64_t seed = 0;
+    PixelFilter filter = PixelFilter::kBox;
+    Precision precision = Precision::kFloat;
+    Acceleration acceleration = Acceleration::kBvh;
+    std::uint32_t tile_size = 32;
+    ir::Effects effects;  ///< what to simulate; ir::derive_effects, then the command line's word
+    std::optional<ir::TextureFilter> texture_filter;  ///< over every material's own
+
+    /// What the published programs' flags ask for; read only if the scene's compat is not kNone.
+    struct Compat {
+        bool shadows = false;
+        bool jitter = false;
+        bool filter = false;           ///< the 5-tap kernel at 3x3, then the average
+        bool casting = false;          ///< project: its ray caster in place of its ray tracer
+        bool pixelated = false;        ///< project: nearest texel
+        std::optional<double> blurry;  ///< project: thin lens focused here
+        double depth_min = 0, depth_max = 1;  ///< for the depth picture
+    } compat;
+
+    /// Which of the N interleaved tile sets to render; the others stay empty.
+    std::uint32_t shard_index = 0, shard_count = 1;
+
+    /// Extra pictures to keep beside the colour.
+    bool want_depth = false, want_normals = false, want_albedo = false, want_sample_count = false;
+};
+
+}  // namespace cobble::renderer

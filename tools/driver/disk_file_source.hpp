@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Files on the disk.
+#pragma once
+
+#include "frontend/source/file_source.hpp"
+
+namespace cobble::driver {
+
+/// Reads regular files of the machine it runs on.
+class DiskFileSource : public source::FileSource {
+  public:
+    source::ReadResult read(std::string_view path, std::uint64_t max_bytes) override;
+    bool exists(std::string_view path) override;
+};
+
+}  // namespace cobble::driver
