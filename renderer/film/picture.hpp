@@ -20,8 +20,9 @@ struct Plane32 {
     }
 };
 
-/// A finished or partial render. Optional planes are empty unless asked for. Pixels that were not
-/// reached (a cancelled render, another shard's tiles) have sample count 0 and are black.
+/// A finished or partial render. Planes cover the crop if there is one, else the whole picture.
+/// Optional planes are empty unless asked for. Pixels that were not reached (a cancelled render,
+/// another shard's tiles) have sample count 0 and are black.
 struct Picture {
     Plane32 color;
     Plane32 depth;    ///< distance along the ray in world units; infinity where nothing is hit

@@ -6,7 +6,6 @@
 //   Picture picture = job->picture();
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 
@@ -14,11 +13,10 @@
 #include "renderer/film/picture.hpp"
 #include "renderer/job/scheduler.hpp"
 #include "renderer/job/stats.hpp"
+#include "renderer/job/stop.hpp"
 #include "renderer/settings.hpp"
 
 namespace cobble::renderer {
-
-using Deadline = std::chrono::steady_clock::time_point;
 
 struct Progress {
     bool done = false;       ///< finished or cancelled

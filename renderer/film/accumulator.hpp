@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Sums of samples, in sample order, and the pixel that comes of them.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "ir/math/vec.hpp"
+
+namespace cobble::renderer {
+
+/// A sum that keeps what each addition rounds away (Neumaier, ZAMM 54, 1974). A plain sum of a
+/// million equal numbers is off by 1e-11 of itself; this one by 2 ulp, however long.
+class CompensatedSum {
+  public:
+    void add(double value) {
+        const double sum = sum_ + value;
+        // What of the smaller operand did not fit into `sum`, exactly.
+        rest_ += std::fabs(sum_) >= std::fabs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
+        sum_ = sum;
+    }
+    [[nodiscard]] double value() const { return sum_ + rest_; }
+
+  private:
+    double sum_ = 0;
+    double rest_ = 0;
+};
+
+class CompensatedSum3 {
+  public:
+    void add(math::Vec3d value) {
+        x_.add(value.x);
+        y_.add(value.y);
+        z_.add(value.z);
+    }
+    [[nodiscard]] math::Vec3d value() const { return {x_.value(), y_.value(), z_.value()}; }
+
+  private:
+    CompensatedSum x_, y_, z_;
+};
+
+/// What one sample of a pixel saw.
+struct Sample {
+    math::Vec3d color;
+    bool hit = false;
+    double depth = 0;    ///< distance along the camera ray; read only if `hit`
+    math::Vec3d normal;  ///< shading normal; 0 0 0 unless `hit`
+    math::Vec3d albedo;  ///< surface colour before lighting; 0 0 0 unless `hit`
+};
+
+/// A finished pixel.
+struct Pixel {
+    math::Vec3d color;
+    double depth = std::numeric_limits<double>::infinity();
+    math::Vec3d normal;
+    math::Vec3d albedo;
+    std::uint32_t samples = 0;  ///< those that count
+};
+
+inline bool is_finite(math::Vec3d v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Colour, normal and albedo are means over all samples; depth is the mean over those that hit.
+class PixelAccumulator {
+  public:
+    /// False, and nothing added, if any number of the sample is NaN or infinite.
+    [[nodiscard]] bool add(const Sample& sample) {
+        if (!is_finite(sample.color) || !is_finite(sample.normal) || !is_finite(sample.albedo) ||
+            (sample.hit && !std::isfinite(sample.depth))) {
+            return false;
+        }
+        ++samples_;
+        color_.add(sample.color);
+        if (sample.hit) {
+            ++hits_;
+            depth_.add(sample.depth);
+            normal_.add(sample.normal);
+            albedo_.add(sample.albedo);
+        }
+        return true;
+    }
+
+    [[nodiscard]] Pixel pixel() const {
+        Pixel result;
+        result.samples = samples_;
+        if (samples_ > 0) {
+            const double n = samples_;
+            result.color = color_.value() / n;
+            result.normal = normal_.value() / n;
+            result.albedo = albedo_.value() / n;
+        }
+        if (hits_ > 0) result.depth = depth_.value() / static_cast<double>(hits_);
+        return result;
+    }
+
+  private:
+    CompensatedSum3 color_, normal_, albedo_;
+    CompensatedSum depth_;
+    std::uint32_t samples_ = 0;
+    std::uint32_t hits_ = 0;
+};
+
+}  // namespace cobble::renderer

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/job/stats.hpp"
+
+namespace cobble::renderer {
+
+Counters& Counters::operator+=(const Counters& other) {
+    camera_rays += other.camera_rays;
+    shadow_rays += other.shadow_rays;
+    reflected_rays += other.reflected_rays;
+    refracted_rays += other.refracted_rays;
+    box_tests += other.box_tests;
+    primitive_tests += other.primitive_tests;
+    return *this;
+}
+
+}  // namespace cobble::renderer

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What computes pixels, as the render job sees it: one tile at a time, resumable anywhere.
+//
+// The job owns threads, order, deadlines and sums; a TileRenderer owns what a pixel is. Cobble's
+// own meaning (renderer/integrator) and the published programs' (renderer/compat) are two of them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/film/film.hpp"
+#include "renderer/job/stats.hpp"
+#include "renderer/job/stop.hpp"
+
+namespace cobble::renderer {
+
+/// Pixels [x0, x1) x [y0, y1) of the whole picture, y downwards.
+struct Tile {
+    std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    [[nodiscard]] std::uint64_t pixels() const { return std::uint64_t{x1 - x0} * (y1 - y0); }
+    [[nodiscard]] std::uint32_t x(std::uint64_t pixel) const {
+        return x0 + static_cast<std::uint32_t>(pixel % (x1 - x0));
+    }
+    [[nodiscard]] std::uint32_t y(std::uint64_t pixel) const {
+        return y0 + static_cast<std::uint32_t>(pixel / (x1 - x0));
+    }
+};
+
+/// Whatever a renderer must remember to go on in the middle of a pixel.
+class PausedPixel {
+  public:
+    PausedPixel() = default;
+    PausedPixel(const PausedPixel&) = delete;
+    PausedPixel& operator=(const PausedPixel&) = delete;
+    virtual ~PausedPixel() = default;
+};
+
+/// A tile on its way. Used by one worker at a time, but not always by the same one.
+struct TileWork {
+    Tile tile;
+    std::uint64_t next_pixel = 0;  ///< row by row inside the tile; tile.pixels() when done
+    std::unique_ptr<PausedPixel> paused;
+    std::uint64_t samples_done = 0;
+    Counters counters;
+    std::uint64_t bad_sample_count = 0;
+    std::vector<BadSample> bad_samples;  ///< the first kBadSamplesKept
+
+    static constexpr std::size_t kBadSamplesKept = 16;
+
+    [[nodiscard]] bool done() const { return next_pixel == tile.pixels(); }
+    void report(const BadSample& bad) {
+        ++bad_sample_count;
+        if (bad_samples.size() < kBadSamplesKept) bad_samples.push_back(bad);
+    }
+};
+
+class TileRenderer {
+  public:
+    TileRenderer() = default;
+    TileRenderer(const TileRenderer&) = delete;
+    TileRenderer& operator=(const TileRenderer&) = delete;
+    virtual ~TileRenderer() = default;
+
+    /// Goes on with `work` until it is done or `stop` says so: then it returns within about 10 ms,
+    /// having left in `work` what it needs to go on without a trace of the interruption. Gives each
+    /// finished pixel to `film` once. Called by several workers at once, on different tiles; must
+    /// not throw. Rounding is to nearest and denormals are kept while it runs.
+    virtual void render_tile(TileWork& work, Film& film, StopCheck& stop) const = 0;
+};
+
+}  // namespace cobble::renderer

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/job/scheduler.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cfenv>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "renderer/job/fp_environment.hpp"
+
+using namespace cobble;
+
+TEST_CASE("every worker runs once a round, all at the same time") {
+    for (const std::uint32_t threads : {1U, 2U, 5U}) {
+        const auto scheduler = renderer::make_thread_scheduler(threads);
+        REQUIRE(scheduler->workers() == threads);
+        for (int round = 0; round < 50; ++round) {
+            std::atomic<std::uint32_t> arrived = 0;
+            std::mutex mutex;
+            std::set<std::uint32_t> seen;
+            scheduler->run([&](std::uint32_t worker) {
+                {
+                    const std::lock_guard lock(mutex);
+                    CHECK(seen.insert(worker).second);
+                }
+                // Only ends if all are in here together.
+                ++arrived;
+                while (arrived < threads) std::this_thread::yield();
+            });
+            CHECK(seen.size() == threads);
+        }
+    }
+}
+
+TEST_CASE("the serial scheduler is the caller") {
+    const auto scheduler = renderer::make_serial_scheduler();
+    CHECK(scheduler->workers() == 1);
+    std::thread::id id;
+    scheduler->run([&](std::uint32_t) { id = std::this_thread::get_id(); });
+    CHECK(id == std::this_thread::get_id());
+}
+
+TEST_CASE("a task has its own rounding and denormals, and leaves the host's as they were") {
+    const int before = std::fegetround();
+    std::fesetround(FE_UPWARD);
+#if defined(__SSE2__)
+    _mm_setcsr(_mm_getcsr() | 0x8040U);  // flush to zero, denormals are zero
+    const std::uint32_t host = _mm_getcsr();
+#endif
+    volatile double smallest = std::numeric_limits<double>::min();
+    volatile double third = 0;
+    {
+        const renderer::FpEnvironment environment;
+        CHECK(std::fegetround() == FE_TONEAREST);
+        third = smallest / 3;
+        CHECK(third > 0);
+    }
+    CHECK(std::fegetround() == FE_UPWARD);
+#if defined(__SSE2__)
+    CHECK((_mm_getcsr() & ~0x3fU) == (host & ~0x3fU));
+    _mm_setcsr(host & ~0x8040U);
+#endif
+    std::fesetround(before);
+}
