@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The scene as the ray loop sees it: narrowed to the scalar type T once, in flat arrays.
+//
+// T is float or double. Coordinates are local: world minus `origin`, a point on a power-of-two grid
+// near where the camera looks from, so that a scene far from zero keeps its precision and a scene
+// moved by whole grid steps keeps its every bit.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "ir/math/vec.hpp"
+#include "ir/scene/scene.hpp"
+#include "renderer/scene/geometry.hpp"
+#include "renderer/settings.hpp"
+
+namespace cobble::renderer {
+
+/// Something that narrowing or the shape itself cost; never an error: the rest renders.
+struct PreparationNote {
+    enum class Kind : std::uint8_t {
+        kDegenerate,      ///< no area or volume (from the start, or once narrowed): never hit
+        kOutOfRange,      ///< beyond what T can hold: never hit
+        kIllConditioned,  ///< an instance whose matrix loses most digits of T
+        kSingular,        ///< an instance without an inverse: never hit
+    };
+    Kind kind = Kind::kDegenerate;
+    ir::ObjectId object;
+    std::uint32_t face = 0;   ///< the first one, of a mesh
+    std::uint32_t count = 1;  ///< how many faces of the object
+};
+
+struct PrepareOptions {
+    Acceleration acceleration = Acceleration::kBvh;
+    bool texture_coordinates = true;  ///< keep uv and give tangents; off: none are loaded
+};
+
+template <typename T>
+struct PreparedScene {
+    const ir::Scene* source = nullptr;  ///< must outlive this
+    PrepareOptions options;
+    math::Vec3d origin;
+
+    [[nodiscard]] math::Vec3<T> to_local(math::Vec3d world) const {
+        return (world - origin).template to<T>();
+    }
+    [[nodiscard]] math::Vec3d to_world(math::Vec3<T> local) const {
+        return local.template to<double>() + origin;
+    }
+
+    Geometry<T> geometry;
+    std::vector<PreparationNote> notes;  ///< by object
+
+    /// Bytes of everything held, without the source.
+    [[nodiscard]] std::uint64_t bytes() const;
+};
+
+/// Costs O(n log n) time and some 150 bytes a triangle in float. Takes any scene that lowering
+/// returns; meets no number that it cannot treat.
+template <typename T>
+PreparedScene<T> prepare(const ir::Scene& scene, const PrepareOptions& options = {});
+
+}  // namespace cobble::renderer
