@@ -22,7 +22,7 @@ enum class Quantise : unsigned char {
 
 struct EncodeOptions {
     Quantise quantise = Quantise::kRound;
-    bool encode_srgb = false;  ///< 8-bit formats only
+    bool encode_srgb = false;  ///< 8-bit formats only, with kRound
 };
 
 struct Encoded {
@@ -30,17 +30,21 @@ struct Encoded {
     std::string error;  ///< empty if it worked
 };
 
-/// PNG, BMP and TGA clamp to 8 bits; PFM, HDR and EXR keep the numbers (HDR to its 8-bit
-/// mantissas). A one-channel plane becomes grey. NaN becomes 0 in 8-bit formats.
+/// PNG, BMP and TGA clamp to 8 bits; PFM and EXR keep the numbers, bit for bit; HDR rounds them to
+/// its 8-bit mantissas and takes what is negative or NaN for 0. A one-channel plane becomes grey.
+/// NaN becomes 0 in 8-bit formats. One picture always gives the same bytes.
 Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& options = {});
 
 struct Decoded {
-    Plane32 plane;  ///< three channels; 8-bit files as value / 255
+    Plane32 plane;  ///< three channels; 8-bit files as value / 255, 16-bit ones as value / 65535
     bool eight_bit = false;
-    std::string error;  ///< empty if it worked
+    bool display = false;  ///< display values (PNG, BMP, TGA, JPEG), not light (PFM, HDR, EXR)
+    std::string error;     ///< empty if it worked
 };
 
-/// Reads PNG, BMP, TGA, JPEG, PFM, HDR or EXR by content.
+/// Reads PNG, BMP, TGA, JPEG, PFM, HDR or EXR by content; grey becomes three equal channels, alpha
+/// is dropped. At most 2^26 pixels. OpenEXR: one part of scan lines, uncompressed, run-length or
+/// ZIP. Bytes that are none of these, or that break off, are errors, whatever they claim.
 Decoded decode(std::string_view bytes);
 
 }  // namespace cobble::renderer

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// No file makes the reader crash, hang, take memory on a lie, or accept what breaks off.
+#include <doctest/doctest.h>
+#include <tinyexr.h>
+
+#include "renderer/picture/picture_io.hpp"
+#include "tests/picture/sample.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+Plane32 ramp(std::uint32_t width, std::uint32_t height) {
+    Plane32 plane{width, height, 3, {}};
+    for (std::uint32_t i = 0; i < width * height * 3; ++i) {
+        plane.values.push_back(static_cast<float>(i) / static_cast<float>(width * height * 3));
+    }
+    return plane;
+}
+
+std::vector<std::string> valid_files() {
+    const Plane32 color = light(19, 11);
+    std::vector<std::string> files;
+    for (const PictureFormat format :
+         {PictureFormat::kPng, PictureFormat::kBmp, PictureFormat::kTga, PictureFormat::kPfm,
+          PictureFormat::kHdr, PictureFormat::kExr}) {
+        files.push_back(encode(color, format).bytes);
+    }
+    for (const int compression : {TINYEXR_COMPRESSIONTYPE_NONE, TINYEXR_COMPRESSIONTYPE_RLE,
+                                  TINYEXR_COMPRESSIONTYPE_ZIPS}) {
+        files.push_back(written_by_tinyexr(halves(19, 11), compression, TINYEXR_PIXELTYPE_HALF));
+    }
+    std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n";
+    for (int row = 0; row < 2; ++row) {
+        hdr += {2, 2, 0, 8};
+        for (int c = 0; c < 4; ++c) hdr += {4, char(130), 5, 6, 7, char(132), 9};
+    }
+    files.push_back(hdr);
+    std::string tga = encode(color, PictureFormat::kTga).bytes.substr(0, 18);
+    tga[2] = 10;  // run lengths
+    for (int left = 19 * 11; left > 0; left -= 100) {
+        tga += static_cast<char>(0x80 + (left < 100 ? left : 100) - 1);
+        tga += "abc";
+    }
+    files.push_back(tga);
+    files.push_back(written_as_jpeg(ramp(19, 11)));
+    return files;
+}
+
+TEST_CASE("a picture that was read has the values that it claims") {
+    for (const std::string& file : valid_files()) {
+        const Decoded decoded = decode(file);
+        CHECK(decoded.error == "");
+        CHECK(decoded.plane.values.size() ==
+              std::size_t{decoded.plane.width} * decoded.plane.height * 3);
+    }
+}
+
+TEST_CASE("every file that breaks off is refused") {
+    for (const std::string& file : valid_files()) {
+        if (file.starts_with("\xff\xd8")) continue;  // JPEG readers show what there is
+        CAPTURE(file.substr(0, 4));
+        // The last bytes of a PNG are its end mark, which readers can do without: 12 for the mark
+        // and 4 for the checksum before it.
+        const std::size_t needed = file.starts_with("\x89PNG") ? file.size() - 16 : file.size();
+        for (std::size_t size = 0; size < needed; ++size) {
+            CAPTURE(size);
+            const Decoded decoded = decode(std::string_view(file).substr(0, size));
+            REQUIRE(decoded.error != "");
+            REQUIRE(decoded.plane.values.empty());
+        }
+    }
+}
+
+TEST_CASE("changed bytes never crash the reader") {
+    Random random(1);
+    std::size_t refused = 0;
+    for (const std::string& file : valid_files()) {
+        for (int round = 0; round < 1500; ++round) {
+            std::string changed = file;
+            for (std::uint64_t n = 1 + random.below(6); n-- > 0;) {
+                // Headers are where the sizes are: half of the changes go there.
+                const std::size_t range = random.below(2) == 0 ? file.size() : 64;
+                changed[random.below(range < file.size() ? range : file.size())] =
+                    static_cast<char>(random.next() >> 32);
+            }
+            if (random.below(8) == 0) changed.resize(random.below(changed.size() + 1));
+            // A size near the limit is honest work for hundreds of megabytes; keep the test small.
+            const Decoded decoded = decode(changed);
+            refused += decoded.error.empty() ? 0 : 1;
+            REQUIRE(decoded.plane.values.size() == std::size_t{decoded.plane.width} *
+                                                       decoded.plane.height *
+                                                       (decoded.plane.values.empty() ? 0 : 3));
+        }
+    }
+    CHECK(refused > 1000);
+}
+
+TEST_CASE("sizes that a file cannot hold are refused with a reason") {
+    const std::string huge = "PF\n100000 100000\n-1.0\n";
+    CHECK(decode(huge).error ==
+          "the picture has 100000 x 100000 pixels, more than the 67108864 that are read");
+    CHECK(decode("PF\n8000 8000\n-1.0\n").error == "the PFM file breaks off before its last pixel");
+    CHECK(decode("PF\n0 8\n-1.0\n").error == "the picture has no pixels");
+    CHECK(decode("PF\n-1 8\n-1.0\n").error == "the picture has no pixels");
+    CHECK(decode("PF\n99999999999999999999 1\n-1.0\n").error == "the picture has no pixels");
+    CHECK(decode("").error == "the file is empty");
+    CHECK(decode("hello").error == "not a PNG, BMP, TGA, JPEG, PFM, HDR or EXR picture");
+    CHECK(decode("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8000 +X 8000\n").error ==
+          "the HDR file breaks off before its last pixel");
+}
+
+}  // namespace
+}  // namespace cobble::renderer
