@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
-#include "ir/math/elementary.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
@@ -37,9 +37,36 @@ bool ends_with_ignoring_case(std::string_view path, std::string_view ending) {
     return true;
 }
 
-/// IEC 61966-2-1. `value` in [0, 1].
-double srgb_of_linear(double value) {
-    return value <= 0.0031308 ? 12.92 * value : 1.055 * math::pow(value, 1 / 2.4) - 0.055;
+/// x^(1/5) for x in [0.01, 1] by Newton's method from 1, which approaches from above and has
+/// settled to the last bits after 20 steps.
+constexpr double fifth_root(double x) {
+    double root = 1;
+    for (int i = 0; i < 20; ++i) {
+        const double square = root * root;
+        root -= (root * square * square - x) / (5 * square * square);
+    }
+    return root;
+}
+
+/// IEC 61966-2-1: display value to light. y^2.4 = y^2 (y^2)^(1/5).
+constexpr double linear_of_srgb(double display) {
+    if (display <= 0.04045) return display / 12.92;
+    const double y = (display + 0.055) / 1.055;
+    return y * y * fifth_root(y * y);
+}
+
+/// Entry k - 1: the light at which a display byte, rounded, steps from k - 1 to k.
+constexpr std::array<double, 255> kSrgbSteps = [] {
+    std::array<double, 255> steps{};
+    for (std::size_t k = 1; k <= 255; ++k) {
+        steps[k - 1] = linear_of_srgb((static_cast<double>(k) - 0.5) / 255);
+    }
+    return steps;
+}();
+
+std::uint8_t srgb_byte_of(double light) {
+    const auto* step = std::upper_bound(kSrgbSteps.begin(), kSrgbSteps.end(), light);
+    return static_cast<std::uint8_t>(step - kSrgbSteps.begin());
 }
 
 /// NaN fails the first comparison and becomes 0; a float is turned into an integer only once it is
@@ -51,9 +78,8 @@ std::uint8_t byte_of(float value, const EncodeOptions& options) {
         // The published programs multiply floats.
         return static_cast<std::uint8_t>(value * 255.0F);
     }
-    const double display = options.encode_srgb ? srgb_of_linear(static_cast<double>(value))
-                                               : static_cast<double>(value);
-    return static_cast<std::uint8_t>(255.0 * display + 0.5);
+    if (options.encode_srgb) return srgb_byte_of(static_cast<double>(value));
+    return static_cast<std::uint8_t>(255.0 * static_cast<double>(value) + 0.5);
 }
 
 ByteImage quantised(const Plane32& plane, const EncodeOptions& options) {

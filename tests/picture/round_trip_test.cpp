@@ -141,6 +141,20 @@ TEST_CASE("sRGB: known pairs of IEC 61966-2-1") {
     CHECK(read.plane.at(4, 0, 0) * 255 == doctest::Approx(255));
 }
 
+TEST_CASE("sRGB: every byte comes back through the definition") {
+    Plane32 plane{256, 1, 1, {}};
+    for (int k = 0; k < 256; ++k) {
+        const double display = k / 255.0;
+        const double linear =
+            display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
+        plane.values.push_back(static_cast<float>(linear));
+    }
+    const Decoded read = decode(encode(plane, PictureFormat::kPng, {Quantise::kRound, true}).bytes);
+    for (std::uint32_t k = 0; k < 256; ++k) {
+        CHECK(read.plane.at(k, 0, 0) == static_cast<float>(k) / 255.0F);
+    }
+}
+
 TEST_CASE("the first pixel is the top left one, and blue stays blue") {
     // Layouts from the formats' own definitions: BMP and TGA start at the bottom, blue first.
     const Plane32 plane{1, 2, 3, {1, 0, 0, 0, 0, 1}};  // red above blue
