@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/metrics/compare.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "renderer/metrics/convolve.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+Plane32 filled(std::uint32_t width, std::uint32_t height, float r, float g, float b) {
+    Plane32 plane{width, height, 3, {}};
+    for (std::uint32_t i = 0; i < width * height; ++i) {
+        plane.values.insert(plane.values.end(), {r, g, b});
+    }
+    return plane;
+}
+
+Plane32 checkers(std::uint32_t size, float dark, float bright) {
+    Plane32 plane{size, size, 3, {}};
+    for (std::uint32_t i = 0; i < size * size; ++i) {
+        const float value = ((i % size) / 3 + (i / size) / 3) % 2 == 0 ? dark : bright;
+        plane.values.insert(plane.values.end(), {value, value * 0.9F, value * 0.5F});
+    }
+    return plane;
+}
+
+TEST_CASE("figures of a hand-made pair") {
+    // Two pixels: differences 0.5 0 0 and 0 0 -1.
+    const Plane32 a{2, 1, 3, {0.5F, 0, 0, 0, 0, 2}};
+    const Plane32 b{2, 1, 3, {1, 0, 0, 0, 0, 1}};
+    const Comparison c = compare(a, b);
+    REQUIRE(c.error.empty());
+    CHECK(c.mse == doctest::Approx((0.25 + 1) / 6));
+    CHECK(c.rel_mse == doctest::Approx((0.25 / 0.26 + 1 / 4.01) / 6));
+    CHECK(c.mae == doctest::Approx(1.5 / 6));
+    CHECK(c.maximum == 1);
+    CHECK(c.percentile_99 == 1);
+    CHECK(c.differing == 2);
+    CHECK(c.clamped == 1);
+    CHECK(c.not_finite == 0);
+    CHECK(c.pixels_per_degree == 67);
+}
+
+TEST_CASE("99 % of the pixels are not above the percentile") {
+    Plane32 a = filled(100, 10, 0, 0, 0);
+    Plane32 b = a;
+    for (std::size_t i = 0; i < 10; ++i) b.values[i * 3] = 0.5F;
+    CHECK(compare(a, b).percentile_99 == 0);
+    b.values[10 * 3] = 0.25F;  // the eleventh of 1000
+    CHECK(compare(a, b).percentile_99 == 0.25);
+}
+
+TEST_CASE("equal pictures differ by nothing") {
+    const Plane32 a = checkers(24, 0.1F, 0.8F);
+    const Comparison c = compare(a, a);
+    CHECK(c.mse == 0);
+    CHECK(c.rel_mse == 0);
+    CHECK(c.mae == 0);
+    CHECK(c.maximum == 0);
+    CHECK(c.percentile_99 == 0);
+    CHECK(c.flip == 0);
+    CHECK(c.flip_maximum == 0);
+    CHECK(c.differing == 0);
+}
+
+TEST_CASE("FLIP is symmetric, lies in [0, 1] and grows with the difference") {
+    const Plane32 a = checkers(32, 0.2F, 0.7F);
+    double last = 0;
+    for (const float dark : {0.25F, 0.35F, 0.5F}) {
+        const Plane32 b = checkers(32, dark, 0.7F);
+        const Comparison forth = compare(a, b);
+        CHECK(forth.flip == compare(b, a).flip);
+        CHECK(forth.flip > last);
+        CHECK(forth.flip_maximum <= 1);
+        last = forth.flip;
+    }
+}
+
+/// The paper's formulas by hand for pictures of one colour, which no filter changes and which have
+/// no features.
+double spread(double hyab) {
+    // CIELab of sRGB green (87.735, -86.183, 83.180) and blue (32.297, 79.188, -107.860), as colour
+    // calculators give them; chroma times lightness / 100; |dL| + distance in chroma.
+    const double chroma =
+        std::hypot(0.87735 * -86.183 - 0.32297 * 79.188, 0.87735 * 83.180 - 0.32297 * -107.860);
+    const double largest = std::pow(87.735 - 32.297 + chroma, 0.7);
+    const double d = std::pow(hyab, 0.7);
+    const double knee = 0.4 * largest;
+    return d < knee ? 0.95 / knee * d : 0.95 + (d - knee) / (largest - knee) * 0.05;
+}
+
+TEST_CASE("FLIP of flat pictures is the paper's closed form") {
+    const Plane32 black = filled(8, 8, 0, 0, 0);
+    const Plane32 white = filled(8, 8, 1, 1, 1);
+    // Lightness 0 and 100.
+    CHECK(compare(black, white).flip == doctest::Approx(spread(100)).epsilon(1e-5));
+    CHECK(compare(black, white).flip == doctest::Approx(0.9674).epsilon(1e-3));
+    // sRGB 119 has lightness 50.03 (colour calculators).
+    const float grey = 119.0F / 255;
+    CHECK(compare(black, filled(8, 8, grey, grey, grey)).flip ==
+          doctest::Approx(spread(50.034)).epsilon(1e-4));
+    // Green and blue are the furthest apart: 1 by definition.
+    CHECK(compare(filled(8, 8, 0, 1, 0), filled(8, 8, 0, 0, 1)).flip == doctest::Approx(1));
+    // The same light given as light.
+    CHECK(compare(filled(4, 4, 0.5F, 0.5F, 0.5F),
+                  filled(4, 4, 0.21404114F, 0.21404114F, 0.21404114F), {67, false, true})
+              .flip == doctest::Approx(0).epsilon(1e-3));
+}
+
+TEST_CASE("what the eye cannot resolve counts less") {
+    // Fine black and white against its mean in light (display 0.7354): seen from further away (more
+    // pixels in a degree) the difference fades.
+    Plane32 fine{48, 48, 3, {}};
+    for (std::uint32_t i = 0; i < 48 * 48; ++i) {
+        const float value = (i % 48 + i / 48) % 2 == 0 ? 0.0F : 1.0F;
+        fine.values.insert(fine.values.end(), {value, value, value});
+    }
+    const Plane32 flat = filled(48, 48, 0.7354F, 0.7354F, 0.7354F);
+    const double near = compare(fine, flat, {20, false, false}).flip;
+    const double far = compare(fine, flat, {120, false, false}).flip;
+    CHECK(near > 0.5);
+    CHECK(far < 0.1);
+}
+
+TEST_CASE("the map shows where") {
+    const Plane32 a = filled(64, 64, 0.5F, 0.5F, 0.5F);
+    Plane32 b = a;
+    for (std::size_t c = 0; c < 3; ++c) b.values[(32 * 64 + 10) * 3 + c] = 1;
+    const Comparison result = compare(a, b);
+    CHECK(result.map.channels == 1);
+    CHECK(result.map.at(10, 32, 0) == static_cast<float>(result.flip_maximum));
+    CHECK(result.map.at(50, 10, 0) == 0);
+    CHECK(result.differing == 1);
+}
+
+TEST_CASE("NaN and infinity are counted, not summed") {
+    const Plane32 a = filled(2, 2, 0.5F, 0.5F, 0.5F);
+    Plane32 b = a;
+    b.values[0] = std::numeric_limits<float>::quiet_NaN();
+    b.values[5] = std::numeric_limits<float>::infinity();
+    const Comparison c = compare(a, b);
+    CHECK(c.not_finite == 2);
+    CHECK(c.mse == 0);
+    CHECK(c.maximum == 0);
+    CHECK(c.flip > 0);
+    CHECK(c.flip <= 1);
+}
+
+TEST_CASE("what cannot be compared says why") {
+    const Plane32 a = filled(2, 2, 0, 0, 0);
+    CHECK(compare(a, filled(2, 3, 0, 0, 0)).error ==
+          "the pictures differ in size: 2 x 2 and 2 x 3");
+    CHECK(compare(a, Plane32{}).error == "a picture without pixels cannot be compared");
+    CHECK(compare(a, a, {0, false, false}).error ==
+          "pixels per degree must lie between 0 and 4000, not 0");
+    CHECK_FALSE(compare(a, a, {std::nan(""), false, false}).error.empty());
+    const Plane32 grey{2, 2, 1, {0, 0, 0, 0}};
+    CHECK(compare(a, grey).mse == 0);
+}
+
+TEST_CASE("the heat map rises in lightness") {
+    Plane32 ramp{101, 1, 1, {}};
+    for (int i = 0; i <= 100; ++i) ramp.values.push_back(static_cast<float>(i) / 100);
+    const Plane32 colors = heat_map(ramp);
+    float last = -1;
+    for (std::uint32_t x = 0; x <= 100; ++x) {
+        // Rec. 709 weights on display values: enough for an order.
+        const float luma = 0.2126F * colors.at(x, 0, 0) + 0.7152F * colors.at(x, 0, 1) +
+                           0.0722F * colors.at(x, 0, 2);
+        CHECK(luma > last);
+        last = luma;
+    }
+    const Plane32 outside{2, 1, 1, {-1, std::numeric_limits<float>::quiet_NaN()}};
+    CHECK(heat_map(outside).at(0, 0, 0) == colors.at(0, 0, 0));
+    CHECK(heat_map(outside).at(1, 0, 2) == colors.at(0, 0, 2));
+}
+
+TEST_CASE("filters repeat the edge and keep their weights' order") {
+    Grid grid(4, 1);
+    grid.values = {1, 2, 3, 4};
+    const Kernel one{{1}};
+    const Kernel shift{{1, 0, 0}};  // takes the left neighbour
+    CHECK(convolved(grid, shift, one).values == std::vector<double>{1, 1, 2, 3});
+    Grid column(1, 3);
+    column.values = {1, 2, 3};
+    CHECK(convolved(column, one, shift).values == std::vector<double>{1, 1, 2});
+    Kernel slope{{4, 0, -2}};
+    slope.balance();
+    CHECK(slope.weights == std::vector<double>{1, 0, -1});
+}
+
+}  // namespace
+}  // namespace cobble::renderer
