@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Standard output for results, standard error for messages, and what both are connected to.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cobble::driver {
+
+/// Buffered standard output that remembers how writing went. A reader that has gone away (a closed
+/// pipe) is no failure: what is written after that is dropped, and `closed()` tells loops to stop.
+/// Needs SIGPIPE ignored (see prepare_streams).
+class Output {
+  public:
+    Output() = default;
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+    ~Output() { flush(); }
+
+    void write(std::string_view text);
+    void flush();
+
+    [[nodiscard]] bool closed() const { return closed_; }
+    /// The system's words for a failed write (a full disk); empty if none failed.
+    [[nodiscard]] const std::string& error() const { return error_; }
+
+  private:
+    std::string buffer_;
+    std::string error_;
+    bool closed_ = false;
+};
+
+/// Opens /dev/null on those of the three standard descriptors that are closed, so that no file
+/// opened later is taken for one of them, and ignores SIGPIPE.
+void prepare_streams();
+
+/// Writes "cobble: MESSAGE" and a line end to standard error.
+void complain(std::string_view message);
+
+/// Writes to standard error as it is.
+void write_error(std::string_view text);
+
+/// True if the descriptor is a terminal.
+bool is_terminal(int descriptor);
+
+/// True if colour is wanted on this descriptor: a terminal that is not "dumb", and no NO_COLOR.
+bool wants_color(int descriptor);
+
+/// Columns of the terminal behind the descriptor, or `fallback`.
+unsigned terminal_width(int descriptor, unsigned fallback);
+
+}  // namespace cobble::driver

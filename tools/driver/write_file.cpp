@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "tools/driver/write_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace cobble::driver {
+namespace {
+
+// As many symbolic links in a row as Linux itself follows.
+constexpr int kMaxLinks = 40;
+
+std::string failure(const std::string& path, int error) {
+    return fmt::format("cannot write {}: {}", path, std::strerror(error));
+}
+
+std::string folder_of(const std::string& path) {
+    const auto slash = path.rfind('/');
+    return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+}
+
+// Where a chain of symbolic links leads, whether or not something is there.
+std::string follow_links(std::string path) {
+    for (int i = 0; i < kMaxLinks; ++i) {
+        struct stat status {};
+        if (lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) break;
+        std::vector<char> target(4096);
+        const ssize_t length = readlink(path.c_str(), target.data(), target.size());
+        if (length <= 0) break;
+        const std::string next(target.data(), static_cast<std::size_t>(length));
+        path = next.starts_with('/') ? next : folder_of(path) + next;
+    }
+    return path;
+}
+
+int write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        // Linux writes at most 0x7ffff000 bytes at a time.
+        const ssize_t done = ::write(descriptor, bytes.data(), bytes.size());
+        if (done < 0 && errno == EINTR) continue;
+        if (done < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(done));
+    }
+    return 0;
+}
+
+// A new file beside its later place, removed again unless it is kept.
+class Temporary {
+  public:
+    explicit Temporary(const std::string& beside) {
+        const auto slash = beside.rfind('/');
+        const std::string folder = folder_of(beside);
+        // 200 bytes of the name leave room for the rest within the 255 that file systems allow.
+        const std::string base =
+            beside.substr(slash == std::string::npos ? 0 : slash + 1).substr(0, 200);
+        path_ = folder + "." + base + ".XXXXXX";
+        descriptor_ = mkstemp(path_.data());
+        error_ = descriptor_ < 0 ? errno : 0;
+    }
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
+    ~Temporary() {
+        if (descriptor_ < 0) return;
+        close(descriptor_);
+        if (!path_.empty()) unlink(path_.c_str());
+    }
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+    [[nodiscard]] int error() const { return error_; }
+
+    int rename_to(const std::string& target) {
+        if (rename(path_.c_str(), target.c_str()) != 0) return errno;
+        path_.clear();
+        return 0;
+    }
+
+  private:
+    std::string path_;
+    int descriptor_ = -1;
+    int error_ = 0;
+};
+
+// The mode that a new file would get.
+mode_t default_mode() {
+    const mode_t mask = umask(0);
+    umask(mask);
+    return static_cast<mode_t>(0666U & ~mask);
+}
+
+int write_in_place(const std::string& path, std::string_view bytes) {
+    const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    const int error = write_all(descriptor, bytes);
+    return close(descriptor) != 0 && error == 0 ? errno : error;
+}
+
+// The new name must survive a crash too. Not every file system can do this: no failure if not.
+void sync_folder(const std::string& folder) {
+    const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    fsync(descriptor);
+    close(descriptor);
+}
+
+// What can be said against writing to `target` before trying: it is a folder, or read-only.
+int objection(const std::string& target, const struct stat& status) {
+    if (S_ISDIR(status.st_mode)) return EISDIR;
+    return access(target.c_str(), W_OK) == 0 ? 0 : errno;
+}
+
+int replace(const std::string& target, std::string_view bytes) {
+    struct stat old {};
+    const bool exists = stat(target.c_str(), &old) == 0;
+    if (exists) {
+        if (const int error = objection(target, old)) return error;
+        if (!S_ISREG(old.st_mode)) return write_in_place(target, bytes);
+    }
+    Temporary temporary(target);
+    if (temporary.error() != 0) return temporary.error();
+    if (const int error = write_all(temporary.descriptor(), bytes)) return error;
+    if (exists) {
+        // Only root may give a file away; for others the file becomes theirs.
+        if (fchown(temporary.descriptor(), old.st_uid, old.st_gid) != 0) errno = 0;
+    }
+    const mode_t mode = exists ? old.st_mode & 07777U : default_mode();
+    if (fchmod(temporary.descriptor(), mode) != 0) return errno;
+    if (fsync(temporary.descriptor()) != 0 && errno != EINVAL) return errno;
+    if (const int error = temporary.rename_to(target)) return error;
+    sync_folder(folder_of(target));
+    return 0;
+}
+
+}  // namespace
+
+std::string write_file(const std::string& path, std::string_view bytes) {
+    const int error = replace(follow_links(path), bytes);
+    return error == 0 ? std::string() : failure(path, error);
+}
+
+std::string check_writable(const std::string& path, std::uint64_t bytes) {
+    const std::string target = follow_links(path);
+    struct stat status {};
+    if (stat(target.c_str(), &status) == 0) {
+        if (const int error = objection(target, status)) return failure(path, error);
+        if (!S_ISREG(status.st_mode)) return {};
+    } else if (target.empty() || target.ends_with('/')) {
+        return failure(path, target.empty() ? ENOENT : EISDIR);
+    }
+    const Temporary temporary(target);
+    if (temporary.error() != 0) return failure(path, temporary.error());
+    // One block at least: a full disk takes the name of a file but none of its bytes.
+    const auto size = static_cast<off_t>(std::clamp<std::uint64_t>(bytes, 4096, 1ULL << 40U));
+    if (fallocate(temporary.descriptor(), 0, 0, size) != 0 && errno == ENOSPC) {
+        return failure(path, ENOSPC);
+    }
+    return {};
+}
+
+}  // namespace cobble::driver
