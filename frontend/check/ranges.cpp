@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Numbers outside the range that the vocabulary gives them.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "frontend/check/checks.hpp"
+
+namespace cobble::frontend {
+namespace {
+
+const source::DiagnosticCode kNumberOutOfRange{
+    "number-out-of-range",
+    source::Severity::kError,
+    "a number is outside its allowed range",
+    "The value has no meaning there: an exponent below zero, more aperture blades than can be "
+    "drawn, a number that single precision cannot hold.",
+    "Materials {\n"
+    "    Material {\n"
+    "        shininess -20\n"
+    "    }\n"
+    "}\n",
+    "Write a value within the range that the message names."};
+
+const source::DiagnosticCode kAngleOutOfRange{
+    "angle-out-of-range",
+    source::Severity::kError,
+    "the camera's opening angle is impossible",
+    "`angle` is the full vertical opening angle in degrees. At 0 nothing is seen, and at 180 the "
+    "picture plane is infinitely wide.",
+    "PerspectiveCamera {\n"
+    "    center 0 0 10\n"
+    "    direction 0 0 -1\n"
+    "    up 0 1 0\n"
+    "    angle 180\n"
+    "}\n",
+    "Write an angle above 0 and below 180 degrees; 30 to 60 look natural."};
+
+const source::DiagnosticCode kRadiusNotPositive{"radius-not-positive",
+                                                source::Severity::kError,
+                                                "a sphere's radius is zero or negative",
+                                                "Such a sphere has no surface to hit.",
+                                                "Group {\n"
+                                                "    MaterialIndex 0\n"
+                                                "    Sphere {\n"
+                                                "        center 0 0 0\n"
+                                                "        radius 0\n"
+                                                "    }\n"
+                                                "}\n",
+                                                "Write a radius above 0."};
+
+/// The renderer narrows numbers once to single precision, and published programs read them so.
+constexpr double kLargest = std::numeric_limits<float>::max();
+
+const source::DiagnosticCode& code_for(grammar::FieldId field) {
+    if (field == grammar::FieldId::kPerspectiveCamera_angle) return kAngleOutOfRange;
+    if (field == grammar::FieldId::kSphere_radius) return kRadiusNotPositive;
+    return kNumberOutOfRange;
+}
+
+bool inside(const grammar::Range& range, double number) {
+    if (range.zero_excluded && number == 0) return false;
+    if (range.low_open ? !(number > range.low) : !(number >= range.low)) return false;
+    return range.high_open ? number < range.high : number <= range.high;
+}
+
+/// "must be above 0 and below 180"
+std::string demand(const grammar::Range& range) {
+    if (range.zero_excluded) return "must not be 0";
+    const bool low = range.low > -std::numeric_limits<double>::infinity();
+    const bool high = range.high < std::numeric_limits<double>::infinity();
+    if (low && high && !range.low_open && !range.high_open) {
+        return fmt::format("must lie between {} and {}", range.low, range.high);
+    }
+    std::string text = "must be ";
+    if (low) text += fmt::format("{} {}", range.low_open ? "above" : "at least", range.low);
+    if (low && high) text += " and ";
+    if (high) text += fmt::format("{} {}", range.high_open ? "below" : "at most", range.high);
+    return text;
+}
+
+/// 'radius' of Sphere, or Translate for its bare numbers.
+std::string subject(const CheckContext& context, BlockNodeId id, const grammar::FieldRow& field) {
+    if (field.name == "value") return fmt::format("a number of {}", context.name(id));
+    return fmt::format("'{}' of {}", field.name, context.name(id));
+}
+
+}  // namespace
+
+void check_number_ranges(CheckContext& context, BlockNodeId id) {
+    using grammar::ValueType;
+    for (const FieldNode& field : context.ast().fields_of(id)) {
+        if (field.broken) continue;
+        const grammar::FieldRow& row = grammar::row(field.row);
+        // Colours, counts and references have checks of their own.
+        if (grammar::is_word(row.type) || row.type == ValueType::kCount ||
+            row.type == ValueType::kMaterialRef) {
+            continue;
+        }
+        for (const Value& value : context.ast().values_of(field)) {
+            const bool finite = std::fabs(value.number) <= kLargest;
+            if (finite && (row.type == ValueType::kColor || inside(row.range, value.number))) {
+                continue;
+            }
+            const source::Span place = context.span(value.token);
+            if (!finite) {
+                auto& diagnostic =
+                    context.report(kNumberOutOfRange, place,
+                                   fmt::format("{} is too large", subject(context, id, row)));
+                diagnostic.notes.push_back("the largest number is 3.4e38, in either direction");
+            } else {
+                auto& diagnostic =
+                    context.report(code_for(field.row), place,
+                                   fmt::format("{} {}, not {}", subject(context, id, row),
+                                               demand(row.range), context.text(place)));
+                if (!row.unit.empty()) {
+                    diagnostic.notes.push_back(fmt::format("its unit: {}", row.unit));
+                }
+            }
+            break;
+        }
+    }
+}
+
+}  // namespace cobble::frontend

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Three numbers, for the checks that measure.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "frontend/check/context.hpp"
+
+namespace cobble::frontend {
+
+using Numbers3 = std::array<double, 3>;
+
+/// The first three numbers of a field, or nothing if it is absent, broken or too large to be
+/// measured (which is said elsewhere). Numbers are at most 3.5e38, so that squares of squares
+/// stay finite.
+std::optional<Numbers3> three_numbers(const CheckContext& context, const FieldNode* field);
+
+/// True if every component is zero in single precision: at most half of its smallest number,
+/// 2^-149.
+bool is_zero(const Numbers3& v);
+
+inline double dot(const Numbers3& a, const Numbers3& b) {
+    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+inline Numbers3 minus(const Numbers3& a, const Numbers3& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Numbers3 cross(const Numbers3& a, const Numbers3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double length(const Numbers3& v) { return std::sqrt(dot(v, v)); }
+
+}  // namespace cobble::frontend

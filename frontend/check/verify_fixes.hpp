@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Only fixes that work. Input: a checked scene. Output: the same without the fixes that, applied to
+// the file, leave their finding in place or add another. Invariant: nothing but fixes changes.
+//
+// Each fix costs one more check of the whole file, so there is a budget: at most 100 fixes of a
+// file and 16 MB of text checked again (about a tenth of a second); a fix beyond it, and every fix
+// of a file above 4 MB, is dropped unseen.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "frontend/check/check.hpp"
+
+namespace cobble::frontend {
+
+inline constexpr std::size_t kMostVerifications = 100;
+inline constexpr std::size_t kMostVerifiedBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kLargestVerifiedFile = std::size_t{4} << 20;
+
+void verify_fixes(CheckedScene& scene);
+
+/// check() as it is before its fixes are verified.
+CheckedScene check_unverified(source::SourceId source, std::string_view text);
+
+/// `text` with the edits of one fix applied, or nothing if they overlap or leave the text. Edits
+/// of other sources are no edits here.
+std::optional<std::string> apply(std::string_view text, source::SourceId source,
+                                 const source::Fix& fix);
+
+}  // namespace cobble::frontend
