@@ -13,12 +13,6 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-/// The kinds of node that have no meaning where they stand.
-bool is_strange(NodeKind kind) {
-    return kind == NodeKind::kStrayValue || kind == NodeKind::kStrayClose ||
-           kind == NodeKind::kNameless || kind == NodeKind::kUnknown;
-}
-
 }  // namespace
 
 source::Span CheckContext::span(TokenId token) const { return span(token, token); }
@@ -67,16 +61,30 @@ bool CheckContext::reliable(BlockNodeId id) const {
     return next == NodeKind::kBlock || next == NodeKind::kField;
 }
 
+bool CheckContext::is_strange(BlockNodeId parent, NodeId member) const {
+    switch (scene.cst.kind(member)) {
+        case NodeKind::kNumbers:
+            return false;
+        case NodeKind::kBlock:
+        case NodeKind::kField:
+            break;
+        default:
+            return true;
+    }
+    const std::string_view word = first_word(member);
+    if (const grammar::BlockRow* row = grammar::find_block(word)) {
+        return parent.valid() ? !grammar::may_stand_in(row->id, block(parent).row)
+                              : !grammar::may_stand_at_top(row->id);
+    }
+    return !parent.valid() || grammar::find_field(block(parent).row, word) == nullptr;
+}
+
 std::uint32_t CheckContext::strange_members(BlockNodeId id) const {
     const NodeId parent = node_of(id);
     std::uint32_t count = 0;
     for (NodeId child = scene.cst.first_child(parent); child.valid();
          child = scene.cst.next_child(parent, child)) {
-        if (is_strange(scene.cst.kind(child))) ++count;
-    }
-    if (!id.valid()) return count;
-    for (const BlockNodeId child : ast().children_of(id)) {
-        if (!grammar::may_stand_in(block(child).row, block(id).row)) ++count;
+        if (is_strange(id, child)) ++count;
     }
     return count;
 }
@@ -87,10 +95,10 @@ bool CheckContext::explained(BlockNodeId id, std::string_view wanted) const {
     const std::array<std::string_view, 1> candidates = {wanted};
     for (NodeId child = scene.cst.first_child(parent); child.valid();
          child = scene.cst.next_child(parent, child)) {
+        if (!is_strange(id, child)) continue;
         const NodeKind kind = scene.cst.kind(child);
         if (kind == NodeKind::kStrayValue || kind == NodeKind::kNameless) return true;
-        if (kind != NodeKind::kUnknown) continue;
-        const std::string_view word = tokens().text_of(TokenId{scene.cst.node(child).first_token});
+        const std::string_view word = first_word(child);
         const DialectWord* entry = find_dialect_word(word, place);
         if (entry != nullptr && entry->modern == wanted) return true;
         if (!nearest_name(word, candidates).empty()) return true;

@@ -80,6 +80,12 @@ class CheckContext {
         return id.valid() ? block(id).cst : NodeId{0};
     }
     std::array<std::size_t, 3> counts_{};  ///< by severity
+    [[nodiscard]] std::string_view first_word(NodeId node) const {
+        return tokens().text_of(TokenId{scene.cst.node(node).first_token});
+    }
+    /// True if `member`, a child of the block `parent` or of the file, has no meaning there.
+    [[nodiscard]] bool is_strange(BlockNodeId parent, NodeId member) const;
+
     source::Diagnostic spare_;
 };
 

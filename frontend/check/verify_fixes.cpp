@@ -2,7 +2,6 @@
 #include "frontend/check/verify_fixes.hpp"
 
 #include <algorithm>
-#include <compare>
 #include <cstdint>
 #include <iterator>
 #include <tuple>
@@ -19,9 +18,8 @@ struct Key {
     source::Severity severity;
     std::uint32_t begin;
 
-    friend bool operator==(const Key&, const Key&) = default;
-    friend auto operator<=>(const Key& a, const Key& b) {
-        return std::tuple(a.begin, a.code->code, a.severity) <=>
+    friend bool operator<(const Key& a, const Key& b) {
+        return std::tuple(a.begin, a.code->code, a.severity) <
                std::tuple(b.begin, b.code->code, b.severity);
     }
 };
@@ -53,7 +51,7 @@ std::vector<Key> keys_of(const CheckedScene& scene) {
     for (const source::Diagnostic& diagnostic : scene.diagnostics) {
         keys.push_back({diagnostic.code, diagnostic.severity, diagnostic.span.begin});
     }
-    std::ranges::sort(keys);
+    std::sort(keys.begin(), keys.end());
     return keys;
 }
 
@@ -67,10 +65,10 @@ bool works(const CheckedScene& scene, const std::vector<Key>& all, const Key& go
     const CheckedScene changed = check_unverified(scene.source, *text);
     std::vector<Key> after = keys_of(changed);
     for (Key& key : after) key.begin = before(edits, key.begin);
-    std::ranges::sort(after);
+    std::sort(after.begin(), after.end());
     std::vector<Key> allowed = all;
-    allowed.erase(std::ranges::lower_bound(allowed, gone));
-    return std::ranges::includes(allowed, after);
+    allowed.erase(std::lower_bound(allowed.begin(), allowed.end(), gone));
+    return std::includes(allowed.begin(), allowed.end(), after.begin(), after.end());
 }
 
 }  // namespace
