@@ -38,7 +38,11 @@ struct PickTree {
     std::vector<PickNode> nodes;  ///< nodes[0] is the camera ray
 };
 
-/// The ray through the centre of pixel (x, y), y from the top, with no effect sampled.
+/// Rays beyond this many are left out of a tree: a deep bounce limit between two panes of glass has
+/// more of them than anybody reads.
+inline constexpr std::uint32_t kMostPickNodes = 65536;
+
+/// The ray through the centre of pixel (x, y), y from the top, with no effect sampled, in double.
 PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x, std::uint32_t y);
 
 }  // namespace cobble::renderer

@@ -18,25 +18,26 @@ class StopCheck {
     StopCheck(const std::atomic<bool>& cancelled, Deadline deadline)
         : cancelled_(&cancelled), deadline_(deadline) {}
 
-    /// `work_done`: any growing count of about 10 ns each (box and primitive tests).
+    /// `work_done`: any growing count of about 10 ns each (box and primitive tests). The first ask
+    /// of all is granted unless cancelled, so that every step gets somewhere, however late it is.
     [[nodiscard]] bool operator()(std::uint64_t work_done) {
         if (stopped_) return true;
         if (cancelled_->load(std::memory_order_relaxed)) return stopped_ = true;
-        if (work_done - last_look_ < kWorkBetweenLooks && ++asked_ < kAsksBetweenLooks)
+        if (!asked_before_) {
+            asked_before_ = true;
+            last_look_ = work_done;
             return false;
-        return look(work_done);
-    }
-
-    /// Cancelled or past the deadline as of now, the clock read.
-    [[nodiscard]] bool now() { return (*this)(last_look_ + kWorkBetweenLooks); }
-
-  private:
-    bool look(std::uint64_t work_done) {
+        }
+        if (work_done - last_look_ < kWorkBetweenLooks && ++asks_ < kAsksBetweenLooks) return false;
         last_look_ = work_done;
-        asked_ = 0;
+        asks_ = 0;
         return stopped_ = std::chrono::steady_clock::now() >= deadline_;
     }
 
+    /// For work whose cost is not known: reads the clock (but for the first ask of all).
+    [[nodiscard]] bool now() { return (*this)(last_look_ + kWorkBetweenLooks); }
+
+  private:
     /// 1000 tests of 10 ns are 10 us, and 64 shaded rays of at most 20 us are 1.3 ms: both far
     /// below the 10 ms by which a step may overrun.
     static constexpr std::uint64_t kWorkBetweenLooks = 1000;
@@ -45,7 +46,8 @@ class StopCheck {
     const std::atomic<bool>* cancelled_;
     Deadline deadline_;
     std::uint64_t last_look_ = 0;
-    std::uint32_t asked_ = 0;
+    std::uint32_t asks_ = 0;
+    bool asked_before_ = false;
     bool stopped_ = false;
 };
 

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/job/render_job.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <tuple>
+#include <utility>
+
+#include "renderer/film/film.hpp"
+#include "renderer/integrator/scene_renderer.hpp"
+#include "renderer/job/fp_environment.hpp"
+#include "renderer/job/tile_renderer.hpp"
+#include "renderer/job/tiles.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Sums over finished tiles; one a worker, so that nothing is shared while rays are traced.
+struct alignas(64) Totals {
+    Counters counters;
+    std::uint64_t samples = 0;
+    std::uint64_t bad_sample_count = 0;
+    std::vector<BadSample> bad_samples;
+
+    void add(const TileWork& work) {
+        counters += work.counters;
+        samples += work.samples_done;
+        bad_sample_count += work.bad_sample_count;
+        bad_samples.insert(bad_samples.end(), work.bad_samples.begin(), work.bad_samples.end());
+        keep_first();
+    }
+    void add(const Totals& other) {
+        counters += other.counters;
+        samples += other.samples;
+        bad_sample_count += other.bad_sample_count;
+        bad_samples.insert(bad_samples.end(), other.bad_samples.begin(), other.bad_samples.end());
+        keep_first();
+    }
+
+  private:
+    /// Which ones are kept does not depend on the order of tiles: the first of the picture are
+    /// among the first of their tile.
+    void keep_first() {
+        std::sort(bad_samples.begin(), bad_samples.end(),
+                  [](const BadSample& a, const BadSample& b) {
+                      return std::tie(a.y, a.x, a.sample) < std::tie(b.y, b.x, b.sample);
+                  });
+        if (bad_samples.size() > TileWork::kBadSamplesKept) {
+            bad_samples.resize(TileWork::kBadSamplesKept);
+        }
+    }
+};
+
+template <typename T>
+std::unique_ptr<TileRenderer> prepare_renderer(const ir::Scene& scene, const Settings& settings,
+                                               std::uint64_t& bytes) {
+    auto renderer =
+        std::make_unique<SceneRenderer<T>>(prepare_shading<T>(scene, settings), settings);
+    bytes = renderer->scene().bytes();
+    return renderer;
+}
+
+std::uint64_t bytes_of_images(const ir::Scene& scene) {
+    std::uint64_t bytes = 0;
+    for (const ir::Image& image : scene.images) {
+        bytes += image.bytes.size() + image.floats.size() * sizeof(float);
+    }
+    return bytes;
+}
+
+class Job final : public RenderJob {
+  public:
+    Job(const ir::Scene& scene, const Settings& settings, Scheduler& scheduler)
+        : scene_(&scene),
+          settings_(settings),
+          scheduler_(&scheduler),
+          film_(settings),
+          tiles_(make_tiles(settings)),
+          in_hand_(scheduler.workers()),
+          totals_(scheduler.workers()) {
+        std::uint64_t pixels = 0;
+        for (const Tile& tile : tiles_) pixels += tile.pixels();
+        all_samples_ = pixels * std::max(settings.samples, 1U);
+        if (tiles_.empty()) complete_ = true;
+    }
+
+    Progress step(Deadline deadline) override {
+        const Clock::time_point start = Clock::now();
+        if (!complete_ && !cancelled()) {
+            if (renderer_ == nullptr) prepare_all();
+            const Clock::time_point render_start = Clock::now();
+            render_until(deadline);
+            render_seconds_ += seconds_since(render_start);
+        }
+        seconds_ += seconds_since(start);
+        return progress();
+    }
+
+    void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
+
+    [[nodiscard]] Picture picture() const override {
+        Picture result = film_.picture();
+        result.complete = complete_;
+        return result;
+    }
+
+    [[nodiscard]] Stats stats() const override {
+        const Totals sum = total();
+        Stats stats;
+        stats.counters = sum.counters;
+        stats.bad_sample_count = sum.bad_sample_count;
+        stats.bad_samples = sum.bad_samples;
+        stats.phases = {{"prepare", prepare_seconds_}, {"render", render_seconds_}};
+        stats.scene_bytes = bytes_;
+        return stats;
+    }
+
+  private:
+    [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+    void prepare_all() {
+        const FpEnvironment environment;
+        const Clock::time_point start = Clock::now();
+        renderer_ = settings_.precision == Precision::kDouble
+                        ? prepare_renderer<double>(*scene_, settings_, bytes_)
+                        : prepare_renderer<float>(*scene_, settings_, bytes_);
+        bytes_ += bytes_of_images(*scene_);
+        prepare_seconds_ = seconds_since(start);
+    }
+
+    void render_until(Deadline deadline) {
+        scheduler_->run([&](std::uint32_t worker) { work(worker, deadline); });
+        const bool all_taken = next_tile_.load(std::memory_order_relaxed) >= tiles_.size();
+        const bool none_in_hand = std::all_of(in_hand_.begin(), in_hand_.end(),
+                                              [](const auto& tile) { return tile == nullptr; });
+        complete_ = all_taken && none_in_hand;
+    }
+
+    /// One worker's share of a step. A tile that it has to put down stays in its hand.
+    void work(std::uint32_t worker, Deadline deadline) {
+        const FpEnvironment environment;
+        StopCheck stop(cancelled_, deadline);
+        std::unique_ptr<TileWork>& tile = in_hand_[worker];
+        while (!stop.now()) {
+            if (tile == nullptr) {
+                const std::size_t next = next_tile_.fetch_add(1, std::memory_order_relaxed);
+                if (next >= tiles_.size()) return;
+                tile = std::make_unique<TileWork>();
+                tile->tile = tiles_[next];
+            }
+            renderer_->render_tile(*tile, film_, stop);
+            if (!tile->done()) return;
+            totals_[worker].add(*tile);
+            tile.reset();
+        }
+    }
+
+    [[nodiscard]] Totals total() const {
+        Totals sum;
+        for (const Totals& worker : totals_) sum.add(worker);
+        for (const auto& tile : in_hand_) {
+            if (tile != nullptr) sum.add(*tile);
+        }
+        return sum;
+    }
+
+    [[nodiscard]] Progress progress() const {
+        const Totals sum = total();
+        Progress result;
+        result.done = complete_ || cancelled();
+        result.fraction = all_samples_ == 0 ? 1.0
+                                            : static_cast<double>(sum.samples) /
+                                                  static_cast<double>(all_samples_);
+        result.rays = sum.counters.rays();
+        result.seconds = seconds_;
+        return result;
+    }
+
+    const ir::Scene* scene_;
+    Settings settings_;
+    Scheduler* scheduler_;
+    Film film_;
+    std::vector<Tile> tiles_;
+    std::vector<std::unique_ptr<TileWork>> in_hand_;  ///< by worker
+    std::vector<Totals> totals_;                      ///< by worker
+    std::unique_ptr<TileRenderer> renderer_;
+    std::atomic<std::size_t> next_tile_ = 0;
+    std::atomic<bool> cancelled_ = false;
+    std::uint64_t all_samples_ = 0;
+    std::uint64_t bytes_ = 0;
+    double prepare_seconds_ = 0;
+    double render_seconds_ = 0;
+    double seconds_ = 0;
+    bool complete_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<RenderJob> start_render(const ir::Scene& scene, const Settings& settings,
+                                        Scheduler& scheduler) {
+    return std::make_unique<Job>(scene, settings, scheduler);
+}
+
+}  // namespace cobble::renderer

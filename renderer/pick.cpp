@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/pick.hpp"
+
+#include <utility>
+
+#include "renderer/integrator/scene_renderer.hpp"
+#include "renderer/integrator/trace.hpp"
+#include "renderer/job/fp_environment.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+/// A ray still to be asked about, and what it is to its parent.
+struct Waiting {
+    TracedRay<double> ray;
+    std::uint32_t parent = 0;
+    math::Vec3d tint{1, 1, 1};  ///< of its colour, in its parent's
+};
+
+/// Effects that choose at random, off: what is picked is the middle of lens, lights and pixel, at
+/// the time the shutter opens.
+Settings without_sampling(const Settings& settings) {
+    Settings result = settings;
+    result.samples = 1;
+    for (const ir::Effect effect :
+         {ir::Effect::kDepthOfField, ir::Effect::kMotionBlur, ir::Effect::kSoftShadows}) {
+        result.effects.states[static_cast<std::size_t>(effect)].on = false;
+    }
+    return result;
+}
+
+PickNode make_node(const ShadingScene<double>& scene, const TracedRay<double>& ray,
+                   const Shaded<double>& shaded,
+                   const std::vector<LightAtSurface<double>>& lights) {
+    PickNode node;
+    node.kind = ray.kind == RayKind::kCamera      ? PickNode::Kind::kCamera
+                : ray.kind == RayKind::kReflected ? PickNode::Kind::kReflected
+                                                  : PickNode::Kind::kRefracted;
+    node.depth = ray.depth;
+    node.hit = static_cast<bool>(shaded.hit);
+    node.origin = scene.geometry.to_world(ray.ray.origin);
+    node.direction = ray.ray.direction;
+    node.color = shaded.color;
+    if (!node.hit) return node;
+    node.t = shaded.hit.t;
+    node.position = scene.geometry.to_world(shaded.point.position);
+    node.normal = shaded.look.normal;
+    node.geometric_normal = shaded.look.geometric;
+    node.object = shaded.point.object;
+    node.face = shaded.point.face;
+    node.material = shaded.point.material;
+    for (const LightAtSurface<double>& light : lights) {
+        node.lights.push_back({ir::LightId{light.light}, light.visible, light.contribution});
+    }
+    return node;
+}
+
+}  // namespace
+
+PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x, std::uint32_t y) {
+    const FpEnvironment environment;
+    const Settings exact = without_sampling(settings);
+    const auto shading = prepare_shading<double>(scene, exact);
+    const Sampler sampler(exact.seed, x, y, 0);
+    Counters counters;
+    SampleTrace<double> start;
+    begin_sample(shading, exact, sampler, x, y, start);
+
+    PickTree tree;
+    std::vector<math::Vec3d> tints;  // by node
+    std::vector<std::uint32_t> parents;
+    std::vector<Waiting> stack = {{start.stack.back(), 0, {1, 1, 1}}};
+    while (!stack.empty() && tree.nodes.size() < kMostPickNodes) {
+        Waiting waiting = std::move(stack.back());
+        stack.pop_back();
+        // Alone in its own pixel, so that a child's weight is its part of this ray's colour.
+        waiting.ray.weight = {1, 1, 1};
+        std::vector<LightAtSurface<double>> lights;
+        const Shaded<double> shaded = shade(shading, sampler, waiting.ray, counters, &lights);
+        const auto index = static_cast<std::uint32_t>(tree.nodes.size());
+        tree.nodes.push_back(make_node(shading, waiting.ray, shaded, lights));
+        tints.push_back(waiting.tint);
+        parents.push_back(waiting.parent);
+        if (index > 0) tree.nodes[waiting.parent].children.push_back(index);
+        for (std::uint32_t i = shaded.child_count; i > 0; --i) {
+            const TracedRay<double>& child = shaded.children[i - 1];
+            stack.push_back({child, index, child.weight});
+        }
+    }
+    // Children come after their parents, so one pass backwards gives each ray its whole colour.
+    for (std::size_t i = tree.nodes.size(); i-- > 1;) {
+        tree.nodes[parents[i]].color += tints[i] * tree.nodes[i].color;
+    }
+    return tree;
+}
+
+}  // namespace cobble::renderer

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Owen-scrambled Sobol points, shuffled, each set from one seed (Burley, "Practical Hash-based
+// Owen Scrambling", JCGT 9(4), 2020).
+//
+// Any power-of-two stretch of indices beginning at a multiple of itself is stratified in both
+// coordinates and together: a (0, m, 2)-net. Sets of different seeds are independent, which is what
+// lets each effect own one ("padding").
+#pragma once
+
+#include <cstdint>
+
+namespace cobble::renderer {
+
+constexpr std::uint32_t reverse_bits(std::uint32_t x) {
+    x = (x >> 16U) | (x << 16U);
+    x = ((x & 0xff00ff00U) >> 8U) | ((x & 0x00ff00ffU) << 8U);
+    x = ((x & 0xf0f0f0f0U) >> 4U) | ((x & 0x0f0f0f0fU) << 4U);
+    x = ((x & 0xccccccccU) >> 2U) | ((x & 0x33333333U) << 2U);
+    return ((x & 0xaaaaaaaaU) >> 1U) | ((x & 0x55555555U) << 1U);
+}
+
+/// A permutation of 32-bit numbers in which each bit's fate depends on lower bits only (Laine and
+/// Karras, EGSR 2011; constants of Burley's paper).
+constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
+    x += seed;
+    x ^= x * 0x6c50b47cU;
+    x ^= x * 0xb82f1e52U;
+    x ^= x * 0xc7afe638U;
+    x ^= x * 0x8d22f6e6U;
+    return x;
+}
+
+/// Owen's nested scramble in base 2 of a 0.32 fixed-point fraction.
+constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
+    return reverse_bits(laine_karras(reverse_bits(x), seed));
+}
+
+/// The second Sobol dimension (primitive polynomial x + 1): its direction numbers are the rows of
+/// Pascal's triangle modulo 2, each the one before xor itself shifted by one. The first dimension
+/// is the index with its bits reversed.
+constexpr std::uint32_t sobol_second(std::uint32_t index) {
+    std::uint32_t result = 0;
+    for (std::uint32_t direction = 0x80000000U; index != 0; index >>= 1U) {
+        if ((index & 1U) != 0) result ^= direction;
+        direction ^= direction >> 1U;
+    }
+    return result;
+}
+
+/// In [0, 1), multiples of 2^-32.
+struct Uniform2 {
+    double x = 0, y = 0;
+};
+
+constexpr double kTwoToMinus32 = 1.0 / 4294967296.0;
+
+/// Point `index` of the set named by `seed`.
+constexpr Uniform2 sobol_point(std::uint32_t index, std::uint64_t seed) {
+    const auto low = static_cast<std::uint32_t>(seed);
+    const auto high = static_cast<std::uint32_t>(seed >> 32U);
+    // Three scrambles need three seeds; multiplying by odd constants (2^32 / golden ratio, and its
+    // square) keeps them apart for every value of the high half.
+    const std::uint32_t shuffled = owen_scramble(index, low);
+    const std::uint32_t x = owen_scramble(reverse_bits(shuffled), high);
+    const std::uint32_t y =
+        owen_scramble(sobol_second(shuffled), high * 0x9e3779b9U ^ (low * 0x61c88647U + 1U));
+    return {x * kTwoToMinus32, y * kTwoToMinus32};
+}
+
+}  // namespace cobble::renderer

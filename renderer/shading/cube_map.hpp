@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Six pictures around everything: which face and texel a direction finds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ir/math/vec.hpp"
+#include "ir/scene/assets.hpp"
+#include "ir/scene/scene.hpp"
+
+namespace cobble::renderer {
+
+/// A place on a cube map. u runs rightwards and v upwards in the face's picture, both in [0, 1].
+struct CubePoint {
+    ir::CubeMap::Face face = ir::CubeMap::kFront;
+    double u = 0.5, v = 0.5;
+};
+
+/// The face that a direction (of any length) meets: its largest component by magnitude, x before y
+/// before z where they tie. With a = |largest component|: right (+x) u = z/a, left (-x) u = -z/a,
+/// both v = y/a; up (+y) and down (-y) u = x/a, v = z/a; front (+z) u = -x/a, back (-z) u = x/a,
+/// both v = y/a; each then (1 + .) / 2. A zero or NaN direction gives the middle of the front.
+CubePoint cube_point(math::Vec3d direction);
+
+/// The way from the middle of the cube [-1, 1]^3 to a place on it: the inverse of cube_point().
+math::Vec3d cube_direction(const CubePoint& point);
+
+/// Bilinear between texel centres, across edges too: a texel beyond an edge is the one next to it
+/// on the neighbouring face, and the one missing beyond a corner is the mean of the three that
+/// meet there. So the colour is continuous over the whole sphere. Faces are square, equal in size
+/// and complete; if any of them is missing, kErrorColor.
+ir::Color sample_cube_map(const ir::Scene& scene, const ir::CubeMap& map, ir::TextureFilter filter,
+                          math::Vec3d direction);
+
+}  // namespace cobble::renderer
