@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "grammar/vocabulary.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace cobble::grammar {
@@ -88,25 +87,6 @@ int arity(ValueType type) {
 bool is_word(ValueType type) {
     return type == ValueType::kImagePath || type == ValueType::kFolderPath ||
            type == ValueType::kMeshPath || type == ValueType::kTextureFilter;
-}
-
-const BlockRow* find_block(std::string_view name) {
-    const auto* found = std::ranges::find(kBlocks, name, &BlockRow::name);
-    return found == std::end(kBlocks) ? nullptr : found;
-}
-
-const FieldRow* find_field(BlockId block, std::string_view name) {
-    const Layout layout = row(block).layout;
-    if (layout == Layout::kInline || layout == Layout::kPositional) return nullptr;
-    const auto rows = fields_of(block);
-    const auto found = std::ranges::find(rows, name, &FieldRow::name);
-    return found == rows.end() ? nullptr : &*found;
-}
-
-bool is_vocabulary_name(std::string_view name) {
-    if (find_block(name) != nullptr) return true;
-    return std::ranges::any_of(
-        blocks(), [name](const BlockRow& block) { return find_field(block.id, name) != nullptr; });
 }
 
 }  // namespace cobble::grammar

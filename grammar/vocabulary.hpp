@@ -126,14 +126,36 @@ int arity(ValueType type);
 /// True for the types whose value is a word or a string.
 bool is_word(ValueType type);
 
+/// A word of the language: the name of a block, of fields, or of both. One probe finds it, and what
+/// it means in a place is a table look-up from there.
+struct WordId {
+    std::uint8_t value = 0xff;
+    [[nodiscard]] constexpr bool valid() const { return value != 0xff; }
+    friend constexpr auto operator<=>(WordId, WordId) = default;
+};
+
+/// The word of exactly this spelling, or an invalid id. "value" finds nothing.
+WordId find_word(std::string_view name);
+
+/// The block of this name, or null.
+const BlockRow* block_named(WordId word);
+
+/// The field of this name in `block`, or null.
+const FieldRow* field_named(BlockId block, WordId word);
+
+/// True if any block has a field of this name.
+bool names_a_field(WordId word);
+
 /// The block of this exact name, or null.
-const BlockRow* find_block(std::string_view name);
+inline const BlockRow* find_block(std::string_view name) { return block_named(find_word(name)); }
 
 /// The field of this exact name in `block`, or null. "value" finds nothing.
-const FieldRow* find_field(BlockId block, std::string_view name);
+inline const FieldRow* find_field(BlockId block, std::string_view name) {
+    return field_named(block, find_word(name));
+}
 
 /// True if any block has a field of this name, or it is a block's name.
-bool is_vocabulary_name(std::string_view name);
+inline bool is_vocabulary_name(std::string_view name) { return find_word(name).valid(); }
 
 /// True if `child` may stand directly in `parent`.
 inline bool may_stand_in(BlockId child, BlockId parent) {

@@ -35,14 +35,15 @@ struct ByteRange {
     friend constexpr bool operator==(ByteRange, ByteRange) = default;
 };
 
-/// Eight bytes a token: where it begins, what it is, how long it is. A token longer than 2^24 - 2
-/// bytes stores the largest length and its end is found again from the text.
+/// Eight bytes a token: where it begins, what it is, how long it is. A token of kLongToken bytes or
+/// more stores that as its length, and its end is found again from the text.
 struct Token {
     std::uint32_t begin;
     std::uint32_t kind : 8;
     std::uint32_t length : 24;
 };
 static_assert(sizeof(Token) == 8);
+inline constexpr std::uint32_t kLongToken = 0xffffffU;
 
 /// The lexer's result. Views into `text`, which must outlive it.
 class Tokens {

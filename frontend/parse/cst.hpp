@@ -13,7 +13,7 @@ namespace cobble::frontend {
 
 enum class NodeKind : std::uint8_t {
     kFile,        ///< the root; its tokens end with kEndOfFile
-    kBlock,       ///< name [label] { members }; a missing } is flagged
+    kBlock,       ///< name [label] { members }; a missing { or } is flagged
     kField,       ///< name values, also inline blocks such as `Translate 1 0 0`
     kNumbers,     ///< the bare numbers of a positional block
     kStrayValue,  ///< values where no field can take them
@@ -57,6 +57,13 @@ struct Cst {
         return next < node(parent).end_node ? NodeId{next} : NodeId{};
     }
 };
+
+/// The { of a block, or an invalid id if it is missing (`Sphere center 0 0 0 }`, or `Sphere` alone,
+/// which has no members either).
+TokenId open_brace_of(const Tokens& tokens, const CstNode& block);
+
+/// The label of a block as it stands in the file, well formed or not, or an invalid id.
+TokenId label_of(const Tokens& tokens, const CstNode& block);
 
 /// Builds the tree. Cost: one pass over the tokens, any depth of nesting, no recursion.
 Cst parse(const Tokens& tokens);

@@ -4,31 +4,16 @@
 #include <algorithm>
 #include <cstring>
 
+#include "frontend/source/utf8.hpp"
+
 namespace cobble::source {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// Length of the UTF-8 sequence at the front of `text`; 1 for a byte that starts no valid one.
+// Bytes that a code point takes; a byte that starts none counts as one of its own.
 std::size_t sequence_length(std::string_view text) {
-    const auto byte = [text](std::size_t i) {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-    };
-    const auto continues = [&byte](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
-    const unsigned lead = byte(0);
-    if (lead < 0xC2U) return 1;
-    if (lead < 0xE0U) return continues(1) ? 2 : 1;
-    if (lead < 0xF0U) {
-        const bool overlong = lead == 0xE0U && byte(1) < 0xA0U;
-        const bool surrogate = lead == 0xEDU && byte(1) > 0x9FU;
-        return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 1;
-    }
-    if (lead < 0xF5U) {
-        const bool overlong = lead == 0xF0U && byte(1) < 0x90U;
-        const bool too_large = lead == 0xF4U && byte(1) > 0x8FU;
-        return continues(1) && continues(2) && continues(3) && !overlong && !too_large ? 4 : 1;
-    }
-    return 1;
+    return std::max<std::size_t>(utf8_length(text), 1);
 }
 
 std::uint32_t width_of(std::size_t sequence, ColumnUnit unit) {

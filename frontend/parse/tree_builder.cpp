@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include "frontend/parse/tree_builder.hpp"
+
+#include "frontend/parse/layout.hpp"
+#include "frontend/parse/recovery.hpp"
+
+namespace cobble::frontend {
+namespace {
+
+using grammar::BlockRow;
+using grammar::FieldRow;
+using grammar::ValueType;
+
+bool takes_color(ValueType type) { return type == ValueType::kColor; }
+
+}  // namespace
+
+TreeBuilder::TreeBuilder(const Tokens& tokens, Cst& cst)
+    : tokens_(tokens),
+      cst_(cst),
+      // Looking back reads tokens again; four times the file keeps the whole linear.
+      budget_(std::uint64_t{4} * tokens.size() + 64) {
+    add_node(NodeKind::kFile, 0, 0, false);
+}
+
+std::uint32_t TreeBuilder::add_node(NodeKind kind, std::uint32_t begin, std::uint32_t end,
+                                    bool error) {
+    CstNode node{};
+    node.kind = static_cast<std::uint32_t>(kind) & 0xffU;
+    node.has_error = error ? 1 : 0;
+    node.first_token = begin;
+    node.end_token = end;
+    const auto index = static_cast<std::uint32_t>(cst_.nodes.size());
+    node.end_node = end == 0 ? 0 : index + 1;
+    cst_.nodes.push_back(node);
+    return index;
+}
+
+const BlockRow* TreeBuilder::row_of(std::uint32_t token) const {
+    return tokens_.kind({token}) == TokenKind::kWord ? grammar::find_block(tokens_.text_of({token}))
+                                                     : nullptr;
+}
+
+bool TreeBuilder::values_fit(ValueType type, std::uint32_t begin, std::uint32_t end) const {
+    std::uint32_t numbers = 0;
+    std::uint32_t words = 0;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        switch (tokens_.kind({i})) {
+            case TokenKind::kNumber:
+                ++numbers;
+                break;
+            case TokenKind::kColor:
+                if (!takes_color(type)) return false;
+                numbers += 3;
+                break;
+            case TokenKind::kUnterminatedString:
+                return false;
+            default:
+                ++words;
+        }
+    }
+    const auto due = static_cast<std::uint32_t>(grammar::arity(type));
+    if (grammar::is_word(type)) return words == due && numbers == 0;
+    if (type == ValueType::kMaterialRef) return words + numbers == 1;
+    return numbers == due && words == 0;
+}
+
+void TreeBuilder::add_field(std::uint32_t begin, std::uint32_t end) {
+    bool error = false;
+    if (open_.inside() == Inside::kMembers) {
+        const FieldRow* row = grammar::find_field(open_.top().row->id, tokens_.text_of({begin}));
+        error = row != nullptr && !values_fit(row->type, begin + 1, end);
+    }
+    add_node(NodeKind::kField, begin, end, error);
+}
+
+void TreeBuilder::add_inline_block(std::uint32_t begin, std::uint32_t end) {
+    const BlockRow& row = *row_of(begin);
+    const Placing placing = place(row, begin);
+    if (placing == Placing::kResumed) return;
+    const bool fits = values_fit(grammar::fields_of(row.id)[0].type, begin + 1, end);
+    add_node(NodeKind::kField, begin, end, placing == Placing::kMisplaced || !fits);
+}
+
+void TreeBuilder::add_numbers(std::uint32_t begin, std::uint32_t end) {
+    const BlockRow* row = open_.top().row;
+    const bool fits = row == nullptr || values_fit(grammar::fields_of(row->id)[0].type, begin, end);
+    add_node(NodeKind::kNumbers, begin, end, !fits);
+}
+
+void TreeBuilder::add_error(NodeKind kind, std::uint32_t begin, std::uint32_t end) {
+    leave_bare_positional(begin);
+    add_node(kind, begin, end, true);
+}
+
+void TreeBuilder::add_unknown(std::uint32_t begin, std::uint32_t end) {
+    leave_bare_positional(begin);
+    const grammar::WordId word = grammar::find_word(tokens_.text_of({begin}));
+    if (grammar::names_a_field(word)) {
+        if (reopen_for(nullptr, word, begin) || ends_enclosed_block(word, begin)) {
+            resume_ = begin;
+            return;
+        }
+    }
+    add_node(NodeKind::kUnknown, begin, end, true);
+}
+
+void TreeBuilder::add_lone_head(std::uint32_t begin, std::uint32_t end) {
+    if (place(*row_of(begin), begin) == Placing::kResumed) return;
+    add_node(NodeKind::kBlock, begin, end, true);
+}
+
+void TreeBuilder::open_node(std::uint32_t begin, const BlockRow* row, bool bare, bool error,
+                            NodeKind kind) {
+    open_.push(add_node(kind, begin, 0, error), row, bare);
+}
+
+void TreeBuilder::enter_block(std::uint32_t begin, bool bare) {
+    const BlockRow* row = row_of(begin);
+    Placing placing = Placing::kPlaced;
+    if (row == nullptr) {
+        leave_bare_positional(begin);
+    } else {
+        placing = place(*row, begin);
+    }
+    if (placing == Placing::kResumed) return;
+    const bool inline_in_braces = row != nullptr && row->layout == grammar::Layout::kInline;
+    const bool error = row == nullptr || bare || inline_in_braces || placing == Placing::kMisplaced;
+    open_node(begin, row, bare, error, NodeKind::kBlock);
+}
+
+void TreeBuilder::enter_nameless(std::uint32_t begin) {
+    leave_bare_positional(begin);
+    open_node(begin, nullptr, false, true, NodeKind::kNameless);
+}
+
+void TreeBuilder::end_top(std::uint32_t end, bool unclosed) {
+    CstNode& node = cst_.nodes[open_.top().node];
+    node.end_token = end;
+    node.end_node = static_cast<std::uint32_t>(cst_.nodes.size());
+    if (unclosed) {
+        node.unclosed = 1;
+        node.has_error = 1;
+    }
+    last_closed_ = open_.top().node;
+    open_.pop();
+}
+
+void TreeBuilder::close_block(std::uint32_t brace) {
+    // The brace after `Rotate 0 1 0 90` without braces is the next block's, unless it stands right
+    // behind the numbers.
+    if (tokens_.first_on_line({brace})) leave_bare_positional(brace);
+    if (open_.empty()) {
+        add_node(NodeKind::kStrayClose, brace, brace + 1, true);
+    } else {
+        end_top(brace + 1, false);
+    }
+}
+
+void TreeBuilder::finish(std::uint32_t end_of_file) {
+    while (!open_.empty()) end_top(end_of_file, true);
+    CstNode& file = cst_.nodes[0];
+    file.end_token = end_of_file + 1;
+    file.end_node = static_cast<std::uint32_t>(cst_.nodes.size());
+}
+
+// --- Where does it stand, and which brace is missing? --------------------------------------------
+
+TreeBuilder::Placing TreeBuilder::place(const BlockRow& row, std::uint32_t begin) {
+    std::size_t depth = open_.home_of(row);
+    if (depth == OpenBlocks::kNowhere) {
+        leave_bare_positional(begin);
+        return reopen_for(&row, {}, begin) ? Placing::kPlaced : Placing::kMisplaced;
+    }
+    if (depth == open_.depth()) return Placing::kPlaced;
+    if (look_back(depth, begin)) return Placing::kResumed;
+    while (open_.depth() > depth) end_top(begin, true);
+    return Placing::kPlaced;
+}
+
+void TreeBuilder::look_back_from_end(std::uint32_t end_of_file) {
+    if (!open_.empty()) look_back(0, end_of_file);
+}
+
+// The blocks from `depth` on lack a brace somewhere before `place`. If the layout tells where, the
+// tree is cut back to there.
+bool TreeBuilder::look_back(std::size_t depth, std::uint32_t place) {
+    const std::uint32_t root = open_.at(depth).node;
+    const std::uint64_t cost = place - cst_.nodes[root].first_token;
+    if (cost > budget_) return false;
+    budget_ -= cost;
+    const BlockRow* around = depth == 0 ? nullptr : open_.at(depth - 1).row;
+    const auto found = find_missing_close(tokens_, cst_, root, around, depth == 0);
+    if (!found) return false;
+
+    cst_.nodes.resize(found->node_count);
+    last_closed_ = 0;
+    while (open_.depth() > depth) open_.pop();
+    for (const std::uint32_t node : found->open_blocks) {
+        CstNode& block = cst_.nodes[node];
+        block.end_token = 0;
+        block.end_node = 0;
+        block.unclosed = 0;
+        open_.push(node, row_of(block.first_token), !open_brace_of(tokens_, block).valid());
+    }
+    end_top(found->before_token, true);
+    resume_ = found->before_token;
+    return true;
+}
+
+std::optional<std::uint32_t> TreeBuilder::take_resume_place() {
+    const auto place = resume_;
+    resume_.reset();
+    return place;
+}
+
+void TreeBuilder::leave_bare_positional(std::uint32_t at) {
+    if (open_.inside() == Inside::kPositional && open_.top().bare) end_top(at, true);
+}
+
+// What fits nowhere here, but would fit in the block that has just been closed, tells that its } is
+// one too many, if the layout agrees.
+bool TreeBuilder::reopen_for(const BlockRow* row, grammar::WordId word, std::uint32_t begin) {
+    const std::uint32_t last = last_closed_;
+    if (last == 0 || cst_.nodes[last].end_node != cst_.nodes.size()) return false;
+    CstNode& block = cst_.nodes[last];
+    if (static_cast<NodeKind>(block.kind) != NodeKind::kBlock || block.unclosed != 0) return false;
+    const BlockRow* its_row = row_of(block.first_token);
+    if (its_row == nullptr || block.end_token != begin) return false;
+    const bool fits = row != nullptr ? grammar::may_stand_in(row->id, its_row->id)
+                                     : grammar::field_named(its_row->id, word) != nullptr;
+    const std::uint32_t brace = begin - 1;
+    if (!fits || !close_looks_extra(tokens_, block.first_token, brace, begin)) return false;
+    block.end_token = 0;
+    block.end_node = 0;
+    last_closed_ = 0;
+    open_.push(last, its_row, !open_brace_of(tokens_, block).valid());
+    add_node(NodeKind::kStrayClose, brace, begin, true);
+    return true;
+}
+
+// A field of the block around the innermost one that is indented like the innermost one's name.
+bool TreeBuilder::ends_enclosed_block(grammar::WordId word, std::uint32_t begin) {
+    if (open_.depth() < 2) return false;
+    const BlockRow* around = open_.at(open_.depth() - 2).row;
+    if (around == nullptr || grammar::field_named(around->id, word) == nullptr) return false;
+    const CstNode& block = cst_.nodes[open_.top().node];
+    const std::uint32_t first_child = open_.top().node + 1;
+    if (first_child >= cst_.nodes.size()) return false;
+    if (!stands_beside(tokens_, begin, block.first_token, cst_.nodes[first_child].first_token)) {
+        return false;
+    }
+    end_top(begin, true);
+    return true;
+}
+
+}  // namespace cobble::frontend

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "frontend/source/utf8.hpp"
+
+namespace cobble::source {
+
+std::size_t utf8_length(std::string_view text) {
+    if (text.empty()) return 0;
+    const auto byte = [text](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    const auto continues = [&byte](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
+    const unsigned lead = byte(0);
+    if (lead < 0x80U) return 1;
+    if (lead < 0xC2U) return 0;
+    if (lead < 0xE0U) return continues(1) ? 2 : 0;
+    if (lead < 0xF0U) {
+        const bool overlong = lead == 0xE0U && byte(1) < 0xA0U;
+        const bool surrogate = lead == 0xEDU && byte(1) > 0x9FU;
+        return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
+    }
+    if (lead < 0xF5U) {
+        const bool overlong = lead == 0xF0U && byte(1) < 0x90U;
+        const bool too_large = lead == 0xF4U && byte(1) > 0x8FU;
+        return continues(1) && continues(2) && continues(3) && !overlong && !too_large ? 4 : 0;
+    }
+    return 0;
+}
+
+}  // namespace cobble::source
