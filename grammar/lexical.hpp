@@ -22,10 +22,11 @@ enum class ByteClass : unsigned char { kChunk, kWhite, kDelimiter };
 /// spent asking whether a chunk goes on.
 inline constexpr std::array<ByteClass, 256> kByteClasses = [] {
     std::array<ByteClass, 256> classes{};
-    for (const unsigned char byte : {' ', '\t', '\r', '\n', '\v', '\f'}) {
-        classes[byte] = ByteClass::kWhite;
-    }
-    for (const unsigned char byte : {'{', '}', '"'}) classes[byte] = ByteClass::kDelimiter;
+    const auto put = [&classes](char byte, ByteClass byte_class) {
+        classes[static_cast<unsigned char>(byte)] = byte_class;
+    };
+    for (const char byte : {' ', '\t', '\r', '\n', '\v', '\f'}) put(byte, ByteClass::kWhite);
+    for (const char byte : {'{', '}', '"'}) put(byte, ByteClass::kDelimiter);
     return classes;
 }();
 
