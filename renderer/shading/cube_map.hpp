@@ -19,8 +19,10 @@ struct CubePoint {
 
 /// The face that a direction (of any length) meets: its largest component by magnitude, x before y
 /// before z where they tie. With a = |largest component|: right (+x) u = z/a, left (-x) u = -z/a,
-/// both v = y/a; up (+y) and down (-y) u = x/a, v = z/a; front (+z) u = -x/a, back (-z) u = x/a,
-/// both v = y/a; each then (1 + .) / 2. A zero or NaN direction gives the middle of the front.
+/// up (+y) and down (-y) u = x/a, front (+z) u = -x/a, back (-z) u = x/a; v = y/a but for up, z/a,
+/// and down, -z/a; each then (1 + .) / 2. These are the published programs' faces, checked on
+/// published maps: only so do the pictures fit along all twelve edges. A zero or NaN direction
+/// gives the middle of the front.
 CubePoint cube_point(math::Vec3d direction);
 
 /// The way from the middle of the cube [-1, 1]^3 to a place on it: the inverse of cube_point().

@@ -76,6 +76,9 @@ TEST_CASE("axes meet the middles of the faces that the language names") {
     const renderer::CubePoint up = renderer::cube_point({0.5, 1, 0.25});
     CHECK(up.u == 0.75);
     CHECK(up.v == 0.625);
+    const renderer::CubePoint down = renderer::cube_point({0.5, -1, 0.25});
+    CHECK(down.u == 0.75);
+    CHECK(down.v == 0.375);
 }
 
 TEST_CASE("cube_direction undoes cube_point") {
