@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "tools/docs/expression.hpp"
+
+namespace cobble::docs {
+namespace {
+
+constexpr std::size_t kColumns = 96;
+
+/// How tightly a form binds: a part that binds less than its surroundings needs parentheses.
+int strength(const Expression& expression) {
+    switch (expression.form) {
+        case Form::kChoice:
+            return 0;
+        case Form::kSequence:
+            return 1;
+        case Form::kOptional:
+        case Form::kMany:
+        case Form::kSome:
+        case Form::kRepeat:
+        case Form::kAhead:
+        case Form::kNotAhead:
+            return 2;
+        default:
+            return 3;
+    }
+}
+
+std::string write(const Expression& expression);
+
+std::string write_part(const Expression& part, int needed) {
+    const std::string text = write(part);
+    return strength(part) >= needed ? text : "(" + text + ")";
+}
+
+std::string join(const std::vector<Expression>& parts, std::string_view between, int needed) {
+    std::string text;
+    for (const Expression& part : parts) {
+        if (!text.empty()) text += between;
+        text += write_part(part, needed);
+    }
+    return text;
+}
+
+// The recursion is as deep as the grammar's source is nested.
+std::string write(const Expression& expression) {
+    const auto& parts = expression.parts;
+    switch (expression.form) {
+        case Form::kText:
+            return expression.text == "\"" ? "'\"'" : "\"" + expression.text + "\"";
+        case Form::kClass:
+            return "<" + expression.text + ">";
+        case Form::kRule:
+            return expression.text;
+        case Form::kSequence:
+            return join(parts, " ", 2);
+        case Form::kChoice:
+            return join(parts, " | ", 1);
+        case Form::kOptional:
+            return write_part(parts[0], 3) + "?";
+        case Form::kMany:
+            return write_part(parts[0], 3) + "*";
+        case Form::kSome:
+            return write_part(parts[0], 3) + "+";
+        case Form::kRepeat:
+            return write_part(parts[0], 3) + fmt::format("{{{}}}", expression.count);
+        case Form::kAhead:
+            return "&" + write_part(parts[0], 3);
+        case Form::kNotAhead:
+            return "!" + write_part(parts[0], 3);
+    }
+    return {};
+}
+
+/// Breaks at blanks outside quotes and angles, further lines indented to the body.
+std::string wrap(const std::string& text, std::size_t indent) {
+    std::string result;
+    std::size_t column = indent;
+    std::size_t word_begin = 0;
+    char inside = 0;
+    for (std::size_t i = 0; i <= text.size(); ++i) {
+        const char c = i < text.size() ? text[i] : ' ';
+        if (inside != 0) {
+            if (c == inside) inside = 0;
+        } else if (c == '"' || c == '\'') {
+            inside = c;
+        } else if (c == '<') {
+            inside = '>';
+        } else if (c == ' ') {
+            const std::size_t length = i - word_begin;
+            if (column + 1 + length > kColumns && column > indent) {
+                result += "\n" + std::string(indent, ' ');
+                column = indent;
+            } else if (word_begin > 0) {
+                result += ' ';
+                ++column;
+            }
+            result.append(text, word_begin, length);
+            column += length;
+            word_begin = i + 1;
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string ebnf(const Rule& rule) {
+    const std::string head = rule.name + " ::= ";
+    return head + wrap(write(rule.body), head.size());
+}
+
+}  // namespace cobble::docs
