@@ -22,9 +22,10 @@ std::string_view comment_text(const Tokens& tokens, std::size_t index) {
 
 /// True if a line end, or the start of the file, stands between the comment and what is before it.
 bool on_own_line(const Tokens& tokens, std::size_t index) {
+    const std::uint32_t start = tokens.text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
     std::uint32_t at = tokens.comments[index].begin;
-    while (at > 0 && is_blank(tokens.text[at - 1])) --at;
-    return at == 0 || is_line_end(tokens.text[at - 1]);
+    while (at > start && is_blank(tokens.text[at - 1])) --at;
+    return at == start || is_line_end(tokens.text[at - 1]);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 namespace cobble::frontend {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kIndentWidth = 4;
 
 constexpr auto kSpaces = [] {
@@ -82,14 +81,14 @@ class Writer {
         for (std::uint32_t i = 0; i < count; ++i) {
             const ByteRange token = tokens_.range({i});
             const Gap& gap = layout_.gaps[i];
-            if (at_comment(token.begin) || !whole_file_ || off_) {
+            if (at_comment(token.begin) || !whole_file_ || off_ || ends_line_) {
                 slow_gap(gap, token);
             } else {
                 fast_gap(gap, token);
             }
             sink_.put(tokens_.text.substr(token.begin, token.end - token.begin));
             position_ = token.end;
-            after_comment_ = false;
+            ends_line_ = tokens_.kind({i}) == TokenKind::kUnterminatedString;
             at_start_ = false;
         }
         return {lines_added_, sink_.as_expected()};
@@ -152,7 +151,7 @@ class Writer {
                                   gap.kind == GapKind::kVerbatim || !in_range(line_);
             sink_.put(verbatim ? whole : comment);
             position_ = range.end;
-            after_comment_ = true;
+            ends_line_ = true;
             at_start_ = false;
             if (found != Switch::kNone) off_ = found == Switch::kOff;
         }
@@ -215,7 +214,7 @@ class Writer {
     }
 
     [[nodiscard]] bool token_begins_line(const Gap& gap, std::uint32_t lines) const {
-        if (after_comment_) return true;
+        if (ends_line_) return true;
         switch (gap.kind) {
             case GapKind::kGlue:
             case GapKind::kSpace:
@@ -245,7 +244,11 @@ class Writer {
         }
         sink_.put(blanks.substr(0, end));
         const bool blank_already = line > line_before + 1;
-        if (may_blank && !blank_already && line_ > line) new_line();
+        if (!may_blank || blank_already || line_ == line) return;
+        // A lone CR and our LF would be one line end.
+        const bool would_join = blanks.substr(0, end).ends_with('\r') && line_end_ == "\n";
+        sink_.put(would_join ? "\r" : line_end_);
+        ++lines_added_;
     }
 
     const Tokens& tokens_;
@@ -259,8 +262,8 @@ class Writer {
     std::uint64_t line_ = 1;      ///< of position_; counted only where a range is formatted
     std::int64_t lines_added_ = 0;
     bool off_ = false;
-    bool after_comment_ = false;
-    bool at_start_ = true;  ///< nothing but a byte-order mark is written
+    bool ends_line_ = false;  ///< what was written last goes on to the end of its line
+    bool at_start_ = true;    ///< nothing but a byte-order mark is written
 };
 
 }  // namespace

@@ -32,6 +32,8 @@ WriteResult write(const Tokens& tokens, const Layout& layout, const WriteOptions
 WriteResult compare(const Tokens& tokens, const Layout& layout, const WriteOptions& options,
                     std::string_view expected);
 
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 /// White space of the language.
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }

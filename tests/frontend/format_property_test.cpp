@@ -133,6 +133,7 @@ TEST_CASE("damaged scenes keep every token and comment") {
             CAPTURE(first);
             CAPTURE(last);
             CAPTURE(format(text, {first, last}).text);
+            CAPTURE(format(text, {first, last}).refusal);
             FAIL_CHECK("a range of a damaged scene is not formatted faithfully");
         }
     }
