@@ -70,7 +70,7 @@ class Generator {
     std::string number(bool positive = false) {
         const std::uint32_t sort = random_.below(10);
         const std::uint32_t digits = random_.below(1'000'000) + 1;
-        const bool negative = !positive && random_.below(3) == 0;
+        const bool minus = !positive && random_.below(3) == 0;
         std::string text;
         if (sort < 3) {
             text = fmt::format("{}", digits % 20 + 1);
@@ -81,8 +81,9 @@ class Generator {
         } else {
             text = fmt::format("{}.{}e-{}", digits % 9 + 1, digits / 10 % 1000, random_.below(6));
         }
-        return negative ? "-" + text : text;
+        return minus ? fmt::format("-{}", text) : text;
     }
+    std::string negative() { return fmt::format("-{}", number(true)); }
     std::string unit_number() { return fmt::format("0.{}", random_.below(999) + 1); }
 
     void field(int indent, std::string_view name, std::initializer_list<std::string> values,
@@ -166,12 +167,12 @@ class Generator {
                 const std::string name = material_name(material);
                 const bool label = random_.below(2) == 0;
                 scene("\n        MaterialIndex ");
-                scene(label ? name : fmt::format("{}", material));
+                const std::string value = label ? name : fmt::format("{}", material);
+                scene(value);
                 scene("\n");
-                fmt::format_to(
-                    std::back_inserter(out_.json),
-                    label ? R"({{"MaterialIndex":"{}"}},)" : R"({{"MaterialIndex":{}}},)",
-                    label ? name : fmt::format("{}", material));
+                const char* quote = label ? "\"" : "";
+                fmt::format_to(std::back_inserter(out_.json), R"({{"MaterialIndex":{0}{1}{0}}},)",
+                               quote, value);
             }
             if (random_.below(12) == 0) {
                 scene("        ");
@@ -211,7 +212,7 @@ class Generator {
 
     void box(int indent) {
         open(indent, "Box");
-        field(indent + 1, "min", {"-" + number(true), "-" + number(true), "-" + number(true)});
+        field(indent + 1, "min", {negative(), negative(), negative()});
         field(indent + 1, "max", {number(true), number(true), number(true)}, true);
         close(indent);
     }
@@ -219,7 +220,7 @@ class Generator {
     void triangle(int indent) {
         // Corners in three places that no choice of digits makes collinear.
         open(indent, "Triangle");
-        field(indent + 1, "vertex0", {"-" + number(true), "0", "0"});
+        field(indent + 1, "vertex0", {negative(), "0", "0"});
         field(indent + 1, "vertex1", {number(true), "0", "0.5"});
         field(indent + 1, "vertex2", {"0", number(true), number()}, true);
         close(indent);

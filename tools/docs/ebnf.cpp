@@ -33,7 +33,7 @@ std::string write(const Expression& expression);
 
 std::string write_part(const Expression& part, int needed) {
     const std::string text = write(part);
-    return strength(part) >= needed ? text : "(" + text + ")";
+    return strength(part) >= needed ? text : fmt::format("({})", text);
 }
 
 std::string join(const std::vector<Expression>& parts, std::string_view between, int needed) {
@@ -50,9 +50,9 @@ std::string write(const Expression& expression) {
     const auto& parts = expression.parts;
     switch (expression.form) {
         case Form::kText:
-            return expression.text == "\"" ? "'\"'" : "\"" + expression.text + "\"";
+            return expression.text == "\"" ? "'\"'" : fmt::format("\"{}\"", expression.text);
         case Form::kClass:
-            return "<" + expression.text + ">";
+            return fmt::format("<{}>", expression.text);
         case Form::kRule:
             return expression.text;
         case Form::kSequence:
@@ -68,9 +68,9 @@ std::string write(const Expression& expression) {
         case Form::kRepeat:
             return write_part(parts[0], 3) + fmt::format("{{{}}}", expression.count);
         case Form::kAhead:
-            return "&" + write_part(parts[0], 3);
+            return fmt::format("&{}", write_part(parts[0], 3));
         case Form::kNotAhead:
-            return "!" + write_part(parts[0], 3);
+            return fmt::format("!{}", write_part(parts[0], 3));
     }
     return {};
 }
@@ -92,7 +92,8 @@ std::string wrap(const std::string& text, std::size_t indent) {
         } else if (c == ' ') {
             const std::size_t length = i - word_begin;
             if (column + 1 + length > kColumns && column > indent) {
-                result += "\n" + std::string(indent, ' ');
+                result.push_back('\n');
+                result.append(indent, ' ');
                 column = indent;
             } else if (word_begin > 0) {
                 result += ' ';
