@@ -74,6 +74,12 @@ struct MovingPrimitive {
     ir::ObjectId object;
 };
 
+template <typename T>
+struct SphereKey {
+    math::Vec3<T> center;
+    T radius = 0;
+};
+
 /// The points p with p . normal = offset, at one time. Double whatever T is: planes reach far, and
 /// there are few of them. The normal is unit only of a plane that rests.
 struct PlaneKey {

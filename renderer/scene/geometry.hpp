@@ -61,18 +61,19 @@ struct Geometry {
     std::vector<MovingPrimitive> planes;  ///< 1 key if at rest; endless, so each is tested
 
     std::vector<std::array<math::Vec3<T>, 3>> triangle_keys;
-    struct SphereKey {
-        math::Vec3<T> center;
-        T radius;
-    };
-    std::vector<SphereKey> sphere_keys;
+    std::vector<SphereKey<T>> sphere_keys;
     std::vector<PlaneKey> plane_keys;
     std::vector<InstanceKey<T>> instance_keys;
     std::vector<PlacedMesh<T>> meshes;
 
-    /// Of each object: its place in `instances`, or kNone.
+    /// Of each object, in the array of its kind: an instance, a moving triangle or sphere, a plane.
+    /// kNone for the others, whose hits are looked up in the source.
     static constexpr std::uint32_t kNone = 0xffffffffU;
-    std::vector<std::uint32_t> instance_of;
+    struct Place {
+        bool instance = false;
+        std::uint32_t index = kNone;
+    };
+    std::vector<Place> places;
 };
 
 }  // namespace cobble::renderer

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The walk through a tree: nearest child first, on a stack of its own. Private to renderer/accel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "renderer/accel/query.hpp"
+#include "renderer/accel/tree.hpp"
+
+namespace cobble::renderer {
+
+/// Where each of a node's boxes begins to span the ray, or infinity if it does not, or only
+/// outside (t_min, t_best). The arithmetic of slab_span(), so that it is monotone with it.
+template <bool kParallel, typename T>
+inline void node_spans(const Node<T>& node, const RaySlabs<T>& ray, T t_min, T t_best,
+                       T (&near)[Node<T>::kWidth]) {
+    constexpr std::size_t kWidth = Node<T>::kWidth;
+    T far[kWidth];
+    for (std::size_t k = 0; k < kWidth; ++k) {
+        near[k] = t_min;
+        far[k] = t_best;
+    }
+    bool outside[kWidth] = {};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const T o = ray.origin[axis];
+        if constexpr (kParallel) {
+            if (ray.parallel[axis]) {
+                for (std::size_t k = 0; k < kWidth; ++k) {
+                    const bool within =
+                        node.bounds[0][axis][k] <= o && o <= node.bounds[1][axis][k];
+                    outside[k] = outside[k] || !within;
+                }
+                continue;
+            }
+        }
+        const T inverse = ray.inverse[axis];
+        const T(&first)[kWidth] = node.bounds[ray.negative[axis] ? 1 : 0][axis];
+        const T(&last)[kWidth] = node.bounds[ray.negative[axis] ? 0 : 1][axis];
+        for (std::size_t k = 0; k < kWidth; ++k) {
+            const T a = (first[k] - o) * inverse;
+            const T b = (last[k] - o) * inverse * kFarSlack<T>;
+            near[k] = a > near[k] ? a : near[k];
+            far[k] = b < far[k] ? b : far[k];
+        }
+    }
+    for (std::size_t k = 0; k < kWidth; ++k) {
+        near[k] = near[k] <= far[k] ? near[k] : std::numeric_limits<T>::infinity();
+        if constexpr (kParallel) {
+            near[k] = outside[k] ? std::numeric_limits<T>::infinity() : near[k];
+        }
+    }
+}
+
+template <typename T>
+struct Waiting {
+    T near;
+    std::uint32_t first;
+    std::uint8_t count;  ///< 0: an inner node
+    PrimitiveKind kind;
+};
+
+/// Calls leaf(kind, first, count) for every leaf whose box may hold a better hit, nearest first.
+/// Stops early once `stop()` holds.
+template <bool kParallel, typename T, typename Leaf, typename Stop>
+void walk(const Tree<T>& tree, const RaySlabs<T>& ray, Search<T>& search, Leaf leaf, Stop stop) {
+    constexpr std::size_t kWidth = Node<T>::kWidth;
+    std::array<Waiting<T>, kTraversalStack> stack;
+    std::size_t waiting = 0;
+    Waiting<T> at{search.t_min, 0, 0, PrimitiveKind::kTriangle};
+    for (;;) {
+        if (at.count == 0) {
+            const Node<T>& node = tree.nodes[at.first];
+            search.box_tests += kWidth;
+            T near[kWidth];
+            node_spans<kParallel>(node, ray, search.t_min, search.best.t, near);
+            // Pushed with the farthest first, so that the nearest is taken next.
+            const std::size_t base = waiting;
+            for (std::size_t k = 0; k < kWidth; ++k) {
+                if (!(near[k] <= std::numeric_limits<T>::max())) continue;
+                std::size_t place = waiting++;
+                while (place > base && stack[place - 1].near < near[k]) {
+                    stack[place] = stack[place - 1];
+                    --place;
+                }
+                stack[place] = {near[k], node.first[k], node.count[k], node.kind[k]};
+            }
+        } else {
+            leaf(at.kind, at.first, at.count);
+            if (stop()) return;
+        }
+        // Strictly beyond the best: an equal t may still win by its object.
+        do {
+            if (waiting == 0) return;
+            at = stack[--waiting];
+        } while (at.near > search.best.t);
+    }
+}
+
+template <typename T, typename Leaf, typename Stop>
+void traverse(const Tree<T>& tree, const RaySlabs<T>& ray, Search<T>& search, Leaf leaf,
+              Stop stop) {
+    if (tree.nodes.empty()) return;
+    if (ray.any_parallel) {
+        walk<true>(tree, ray, search, leaf, stop);
+    } else {
+        walk<false>(tree, ray, search, leaf, stop);
+    }
+}
+
+}  // namespace cobble::renderer

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Rays against axis-aligned boxes, conservatively: Ize, Robust BVH Ray Traversal (JCGT 2, 2013).
+//
+// (bound - origin) * inverse is monotone in the bound under rounding, and so is the widening of the
+// far end: a box inside another spans no more of a ray than the other, to the last bit.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "ir/math/vec.hpp"
+#include "renderer/geometry/primitives.hpp"
+
+namespace cobble::renderer {
+
+/// 1 + 2 gamma(3) after Ize, rounded up: gamma(3) is a little above 1.5 epsilon.
+template <typename T>
+inline constexpr T kFarSlack = 1 + 4 * std::numeric_limits<T>::epsilon();
+
+/// What the slab test needs of a ray, once per ray.
+template <typename T>
+struct RaySlabs {
+    math::Vec3<T> origin;
+    math::Vec3<T> inverse;  ///< of the direction; 0 along a parallel axis
+    bool negative[3];
+    /// The direction's component is 0, or so small that its inverse is infinite: the box's own
+    /// extent decides, by comparison with the origin, never by 0 times infinity.
+    bool parallel[3];
+    bool any_parallel = false;
+
+    RaySlabs(math::Vec3<T> from, math::Vec3<T> direction) : origin(from) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const T inv = 1 / direction[i];
+            parallel[i] = !(std::fabs(inv) <= std::numeric_limits<T>::max());
+            inverse[i] = parallel[i] ? T(0) : inv;
+            negative[i] = !parallel[i] && inv < 0;
+            any_parallel = any_parallel || parallel[i];
+        }
+    }
+};
+
+/// The part of a ray inside a box, not clipped by where the ray starts or ends; empty if !(near <=
+/// far).
+template <typename T>
+struct Span {
+    T near, far;
+    [[nodiscard]] bool empty() const { return !(near <= far); }
+};
+
+template <typename T>
+Span<T> slab_span(const RaySlabs<T>& ray, const BoxBounds<T>& box) {
+    Span<T> span{std::numeric_limits<T>::lowest(), std::numeric_limits<T>::max()};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (ray.parallel[i]) {
+            if (!(box.lo[i] <= ray.origin[i] && ray.origin[i] <= box.hi[i])) return {1, 0};
+            continue;
+        }
+        const T a = ((ray.negative[i] ? box.hi[i] : box.lo[i]) - ray.origin[i]) * ray.inverse[i];
+        const T b = ((ray.negative[i] ? box.lo[i] : box.hi[i]) - ray.origin[i]) * ray.inverse[i] *
+                    kFarSlack<T>;
+        span.near = a > span.near ? a : span.near;
+        span.far = b < span.far ? b : span.far;
+    }
+    return span;
+}
+
+}  // namespace cobble::renderer

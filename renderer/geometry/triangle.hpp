@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Rays against triangles without cracks: Woop, Benthin and Wald, Watertight Ray/Triangle
+// Intersection (JCGT 2, 2013).
+//
+// The vertices are sheared so that the ray runs along an axis; three edge functions say on which
+// side it passes each edge. Plain products and differences round monotonically, so that a non-zero
+// edge function has its exact sign; whatever is too small or too large to trust, and the t, u and v
+// of whatever is accepted, are computed in twice the precision and rounded once. Two triangles that
+// share an edge see the same two sheared points, and so can not both miss.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "ir/math/vec.hpp"
+#include "renderer/geometry/wide.hpp"
+
+namespace cobble::renderer {
+
+/// A ray's shear, once per ray.
+template <typename T>
+struct RayShear {
+    math::Vec3<T> origin;
+    math::Vec3<T> direction;
+    std::size_t kx, ky, kz;  ///< kz: the axis that the direction follows most
+    T sx, sy;
+
+    RayShear(math::Vec3<T> from, math::Vec3<T> along) : origin(from), direction(along) {
+        const math::Vec3<T> a{std::fabs(along.x), std::fabs(along.y), std::fabs(along.z)};
+        kz = a.x > a.y ? (a.x > a.z ? 0U : 2U) : (a.y > a.z ? 1U : 2U);
+        kx = kz == 2 ? 0 : kz + 1;
+        ky = kx == 2 ? 0 : kx + 1;
+        // Swapped where the ray runs backward, so that winding keeps its sense.
+        if (along[kz] < 0) {
+            const std::size_t k = kx;
+            kx = ky;
+            ky = k;
+        }
+        sx = along[kx] / along[kz];
+        sy = along[ky] / along[kz];
+    }
+};
+
+template <typename T>
+struct TriangleHit {
+    T t, u, v;  ///< u, v: weights of the second and the third vertex
+};
+
+/// Which crossings of an edge count.
+enum class EdgeRule : std::uint8_t {
+    kInclusive,  ///< an edge belongs to both its triangles: no cracks
+    kHalfOpen,   ///< to exactly one of them: crossings can be counted
+};
+
+namespace detail {
+
+/// Below this an edge function may have lost bits to underflow (or be exactly zero, the case that
+/// needs the exact sign): half way down the exponents of each type.
+template <typename T>
+inline constexpr T kEdgeThreshold = T(0x1p-100);
+template <>
+inline constexpr double kEdgeThreshold<double> = 0x1p-900;
+
+template <typename T>
+struct ShearedPoint {
+    T x, y;
+};
+
+template <typename T>
+ShearedPoint<T> shear(const RayShear<T>& ray, math::Vec3<T> relative) {
+    return {relative[ray.kx] - ray.sx * relative[ray.kz],
+            relative[ray.ky] - ray.sy * relative[ray.kz]};
+}
+
+/// p.x q.y - p.y q.x with its exact sign. Float products are exact in double.
+inline double exact_edge(ShearedPoint<float> p, ShearedPoint<float> q) {
+    return double{p.x} * q.y - double{p.y} * q.x;
+}
+/// Exact for points whose numbers are within 2^±440 (see scaled()).
+inline math::DoubleDouble exact_edge(ShearedPoint<double> p, ShearedPoint<double> q) {
+    return math::two_product(p.x, q.y) - math::two_product(p.y, q.x);
+}
+
+template <typename W>
+int sign_of(W value) {
+    return value > W(0) ? 1 : value < W(0) ? -1 : 0;
+}
+
+/// The sign of a zero edge function, as if the ray were moved by (e, e^2) for a tiny e: opposite
+/// for the edge run the other way, and one choice for all edges that meet in a point.
+template <typename T>
+int moved_sign(ShearedPoint<T> p, ShearedPoint<T> q) {
+    if (p.y != q.y) return p.y > q.y ? 1 : -1;
+    if (p.x != q.x) return p.x < q.x ? 1 : -1;
+    return 0;
+}
+
+/// A common power of two for all sheared points: ratios do not change, and products neither
+/// overflow nor underflow. Only double needs it.
+inline float common_scale(const std::array<ShearedPoint<float>, 3>&) { return 1; }
+double common_scale(const std::array<ShearedPoint<double>, 3>& points);
+
+template <typename T>
+std::optional<TriangleHit<T>> triangle_in_wide(const RayShear<T>& ray,
+                                               const std::array<math::Vec3<T>, 3>& vertices,
+                                               std::array<ShearedPoint<T>, 3> points,
+                                               EdgeRule rule) {
+    using W = Wide<T>;
+    const T scale = common_scale(points);
+    for (auto& p : points) p = {p.x * scale, p.y * scale};
+    const auto& [a, b, c] = points;
+    const W u = exact_edge(c, b);
+    const W v = exact_edge(a, c);
+    const W w = exact_edge(b, a);
+    int su = sign_of(u);
+    int sv = sign_of(v);
+    int sw = sign_of(w);
+    if (rule == EdgeRule::kHalfOpen) {
+        if (su == 0) su = moved_sign(c, b);
+        if (sv == 0) sv = moved_sign(a, c);
+        if (sw == 0) sw = moved_sign(b, a);
+        if (su != sv || sv != sw || su == 0) return std::nullopt;
+    } else if ((su < 0 || sv < 0 || sw < 0) && (su > 0 || sv > 0 || sw > 0)) {
+        return std::nullopt;
+    }
+    const W det = (u + v) + w;
+    if (sign_of(det) == 0) return std::nullopt;
+
+    // t where the ray meets the plane of the vertices; their differences are not sheared, so that a
+    // sliver's t is as good as its plane.
+    const math::Vec3<W> p0 = widen(vertices[0]);
+    const math::Vec3<W> normal = cross(widen(vertices[1]) - p0, widen(vertices[2]) - p0);
+    const W along = dot(normal, widen(ray.direction));
+    W t;
+    if (sign_of(along) != 0) {
+        t = dot(normal, p0 - widen(ray.origin)) / along;
+    } else {
+        // Seen edge-on but for the rounding of the shear: the mean of the vertices' depths.
+        const auto depth = [&](std::size_t i) {
+            return W(vertices[i][ray.kz]) - W(ray.origin[ray.kz]);
+        };
+        t = ((u * depth(0) + v * depth(1)) + w * depth(2)) / (det * W(ray.direction[ray.kz]));
+    }
+    return TriangleHit<T>{static_cast<T>(t), static_cast<T>(v / det), static_cast<T>(w / det)};
+}
+
+}  // namespace detail
+
+/// The line of `ray` against a triangle, whatever the sign of t; nothing for a triangle without
+/// area. `t` is not yet clamped to the triangle's box.
+template <typename T>
+std::optional<TriangleHit<T>> intersect_triangle(const RayShear<T>& ray,
+                                                 const std::array<math::Vec3<T>, 3>& vertices,
+                                                 EdgeRule rule = EdgeRule::kInclusive) {
+    const auto a = detail::shear(ray, vertices[0] - ray.origin);
+    const auto b = detail::shear(ray, vertices[1] - ray.origin);
+    const auto c = detail::shear(ray, vertices[2] - ray.origin);
+    const T u = c.x * b.y - c.y * b.x;
+    const T v = a.x * c.y - a.y * c.x;
+    const T w = b.x * a.y - b.y * a.x;
+    constexpr T kLeast = detail::kEdgeThreshold<T>;
+    const T sum = std::fabs(u) + std::fabs(v) + std::fabs(w);
+    // Written so that NaN and infinity are "not sure".
+    const bool sure = std::fabs(u) >= kLeast && std::fabs(v) >= kLeast && std::fabs(w) >= kLeast &&
+                      sum <= std::numeric_limits<T>::max();
+    if (sure && (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
+    return detail::triangle_in_wide(ray, vertices, {a, b, c}, rule);
+}
+
+}  // namespace cobble::renderer

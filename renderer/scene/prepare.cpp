@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "ir/math/inverse.hpp"
+#include "renderer/accel/builder.hpp"
+#include "renderer/accel/query.hpp"
+#include "renderer/scene/instance_bounds.hpp"
+#include "renderer/scene/prepared_scene.hpp"
+#include "renderer/scene/rebase.hpp"
+#include "renderer/scene/shape_bounds.hpp"
+
+namespace cobble::renderer {
+
+namespace {
+
+using math::Vec3;
+using math::Vec3d;
+using Kind = PreparationNote::Kind;
+
+/// Beyond these, products of three coordinates leave the range of the wide type: 2^-1022 to 2^1023
+/// for both (with room for the parts of a double-double product).
+template <typename T>
+inline constexpr T kLargestCoordinate = T(0x1p120);
+template <>
+inline constexpr double kLargestCoordinate<double> = 0x1p300;
+
+template <typename T>
+bool in_range(T x) {
+    return std::fabs(x) <= kLargestCoordinate<T>;
+}
+template <typename T>
+bool in_range(Vec3<T> p) {
+    return in_range(p.x) && in_range(p.y) && in_range(p.z);
+}
+
+/// The vertices are collinear, exactly.
+template <typename T>
+bool flat(const std::array<Vec3<T>, 3>& v) {
+    using W = Wide<T>;
+    const Vec3<W> n = cross(widen(v[1]) - widen(v[0]), widen(v[2]) - widen(v[0]));
+    return n.x == W(0) && n.y == W(0) && n.z == W(0);
+}
+
+/// Room for `a + f (b - a)` in T: its three roundings err by less than 5 times half an epsilon of
+/// the larger end; a sphere's box has pads of its own on top.
+template <typename T>
+void pad_for_motion(BoxBounds<T>& box) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const T lo = std::fabs(box.lo[i]);
+        const T hi = std::fabs(box.hi[i]);
+        const T pad = (lo > hi ? lo : hi) * (8 * std::numeric_limits<T>::epsilon());
+        box.lo[i] -= pad;
+        box.hi[i] += pad;
+    }
+}
+
+template <typename T>
+class Preparation {
+  public:
+    Preparation(const ir::Scene& scene, const PrepareOptions& options) : scene_(scene) {
+        out_.source = &scene;
+        out_.options = options;
+        out_.origin = grid_origin(finite_bounds(scene), scene.camera.center);
+        geometry().places.resize(scene.objects.size());
+        placed_mesh_.assign(scene.meshes.size(), Geometry<T>::kNone);
+    }
+
+    PreparedScene<T> run() {
+        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+            const ir::Object& object = scene_.objects[i];
+            const ir::ObjectId id{i};
+            if (object.kind == ir::ShapeKind::kPlane) {
+                add_plane(object, id);
+            } else if (object.placement.count > 0) {
+                add_instance(object, id);
+            } else {
+                add_baked(object, id);
+            }
+        }
+        sort_into_leaves();
+        return std::move(out_);
+    }
+
+  private:
+    Geometry<T>& geometry() { return out_.geometry; }
+
+    void note(Kind kind, ir::ObjectId object, std::uint32_t face) {
+        for (auto i = out_.notes.size(); i > 0 && out_.notes[i - 1].object == object; --i) {
+            if (out_.notes[i - 1].kind == kind) {
+                out_.notes[i - 1].count += 1;
+                return;
+            }
+        }
+        out_.notes.push_back({kind, object, face, 1});
+    }
+
+    /// False, with a note, for what can not be hit.
+    bool usable(const std::array<Vec3<T>, 3>& v, ir::ObjectId id, std::uint32_t face) {
+        if (!in_range(v[0]) || !in_range(v[1]) || !in_range(v[2])) {
+            note(Kind::kOutOfRange, id, face);
+            return false;
+        }
+        if (flat(v)) note(Kind::kDegenerate, id, face);
+        return !flat(v);
+    }
+
+    void add_item(PrimitiveKind kind, std::size_t index, const BoxBounds<T>& bounds) {
+        items_.push_back({bounds, kind, static_cast<std::uint32_t>(index)});
+    }
+
+    void add_baked(const ir::Object& object, ir::ObjectId id) {
+        Geometry<T>& g = geometry();
+        switch (object.kind) {
+            case ir::ShapeKind::kMesh: {
+                const ir::Mesh& mesh = scene_.meshes[object.shape];
+                for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+                    add_triangle(face_vertices<T>(mesh, f, out_.origin), id, f);
+                }
+                break;
+            }
+            case ir::ShapeKind::kTriangle: {
+                const auto& keys = scene_.triangles[object.shape].keys;
+                if (keys.size() > 1) {
+                    add_moving_triangle(keys, id);
+                } else {
+                    add_triangle(narrow_vertices<T>(keys[0], out_.origin), id, 0);
+                }
+                break;
+            }
+            case ir::ShapeKind::kSphere: {
+                const auto& keys = scene_.spheres[object.shape].keys;
+                if (keys.size() > 1) {
+                    add_moving_sphere(keys, id);
+                } else {
+                    const SphereKey<T> s = narrow_sphere<T>(keys[0], out_.origin);
+                    if (!usable(s, id)) break;
+                    add_item(PrimitiveKind::kSphere, g.spheres.size(),
+                             bounds_of(s.center, s.radius));
+                    g.spheres.push_back({s.center, s.radius, id});
+                }
+                break;
+            }
+            case ir::ShapeKind::kBox: {
+                const auto b = narrow_box<T>(scene_.boxes[object.shape], out_.origin);
+                if (!usable(b, id)) break;
+                add_item(PrimitiveKind::kBox, g.boxes.size(), b);
+                g.boxes.push_back({b, id});
+                break;
+            }
+            case ir::ShapeKind::kPlane:
+                break;
+        }
+    }
+
+    bool usable(const SphereKey<T>& s, ir::ObjectId id) {
+        if (!in_range(s.center) || !in_range(s.radius)) {
+            note(Kind::kOutOfRange, id, 0);
+            return false;
+        }
+        if (!(s.radius > 0)) note(Kind::kDegenerate, id, 0);
+        return s.radius > 0;
+    }
+
+    /// A box may be a plate, but not a rod or a point.
+    bool usable(const BoxBounds<T>& b, ir::ObjectId id) {
+        if (!in_range(b.lo) || !in_range(b.hi)) {
+            note(Kind::kOutOfRange, id, 0);
+            return false;
+        }
+        int extents = 0;
+        for (std::size_t i = 0; i < 3; ++i) extents += b.lo[i] < b.hi[i] ? 1 : 0;
+        const bool ordered = b.lo.x <= b.hi.x && b.lo.y <= b.hi.y && b.lo.z <= b.hi.z;
+        if (!ordered || extents < 2) {
+            note(Kind::kDegenerate, id, 0);
+            return false;
+        }
+        return true;
+    }
+
+    void add_triangle(const std::array<Vec3<T>, 3>& v, ir::ObjectId id, std::uint32_t face) {
+        if (!usable(v, id, face)) return;
+        add_item(PrimitiveKind::kTriangle, geometry().triangles.size(), bounds_of(v));
+        geometry().triangles.push_back({v, id, face});
+    }
+
+    void add_moving_triangle(const std::vector<std::array<Vec3d, 3>>& keys, ir::ObjectId id) {
+        Geometry<T>& g = geometry();
+        const auto first = static_cast<std::uint32_t>(g.triangle_keys.size());
+        BoxBounds<T> bounds;
+        bool always_flat = true;
+        for (const auto& key : keys) {
+            const auto v = narrow_vertices<T>(key, out_.origin);
+            if (!in_range(v[0]) || !in_range(v[1]) || !in_range(v[2])) {
+                note(Kind::kOutOfRange, id, 0);
+                g.triangle_keys.resize(first);
+                return;
+            }
+            always_flat = always_flat && flat(v);
+            bounds.add(bounds_of(v));
+            g.triangle_keys.push_back(v);
+        }
+        if (always_flat) note(Kind::kDegenerate, id, 0);
+        pad_for_motion(bounds);
+        add_item(PrimitiveKind::kMovingTriangle, g.moving_triangles.size(), bounds);
+        g.moving_triangles.push_back({first, static_cast<std::uint32_t>(keys.size()), id});
+    }
+
+    void add_moving_sphere(const std::vector<ir::Sphere::Key>& keys, ir::ObjectId id) {
+        Geometry<T>& g = geometry();
+        const auto first = static_cast<std::uint32_t>(g.sphere_keys.size());
+        BoxBounds<T> bounds;
+        for (const auto& key : keys) {
+            const SphereKey<T> s = narrow_sphere<T>(key, out_.origin);
+            if (!usable(s, id)) {
+                g.sphere_keys.resize(first);
+                return;
+            }
+            bounds.add(bounds_of(s.center, s.radius));
+            g.sphere_keys.push_back(s);
+        }
+        pad_for_motion(bounds);
+        add_item(PrimitiveKind::kMovingSphere, g.moving_spheres.size(), bounds);
+        g.moving_spheres.push_back({first, static_cast<std::uint32_t>(keys.size()), id});
+    }
+
+    void add_plane(const ir::Object& object, ir::ObjectId id) {
+        Geometry<T>& g = geometry();
+        const auto first = static_cast<std::uint32_t>(g.plane_keys.size());
+        const std::uint32_t count = object.placement.count > 0 ? object.placement.count : 1;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const PlaneKey key = plane_key(scene_, object, k, out_.origin);
+            const double most = std::fabs(key.normal.x) + std::fabs(key.normal.y) +
+                                std::fabs(key.normal.z) + std::fabs(key.offset);
+            const bool flat_normal = key.normal == Vec3d{};
+            if (flat_normal || !(most <= kLargestCoordinate<double>)) {
+                note(flat_normal ? Kind::kDegenerate : Kind::kOutOfRange, id, 0);
+                g.plane_keys.resize(first);
+                return;
+            }
+            g.plane_keys.push_back(key);
+        }
+        g.places[id.value] = {false, static_cast<std::uint32_t>(g.planes.size())};
+        g.planes.push_back({first, count, id});
+    }
+
+    void add_instance(const ir::Object& object, ir::ObjectId id) {
+        Geometry<T>& g = geometry();
+        Instance<T> instance;
+        instance.kind = object.kind;
+        instance.object = id;
+        instance.keys = object.placement.count;
+        instance.first_key = static_cast<std::uint32_t>(g.instance_keys.size());
+        const BoxBounds<double> own = shape_bounds(scene_, object);
+        instance.shape_origin = object.kind == ir::ShapeKind::kSphere
+                                    ? scene_.spheres[object.shape].keys[0].center
+                                    : grid_origin(own, (own.lo + own.hi) * 0.5);
+        const std::optional<BoxBounds<T>> bounds = place_shape(object, id, instance);
+        if (!bounds) return;
+        for (std::uint32_t k = 0; k < instance.keys; ++k) {
+            const ir::Placement& placement = scene_.placements[object.placement.first + k];
+            InstanceKey<T> key;
+            key.world_to_object =
+                rebased(placement.world_to_object, out_.origin, instance.shape_origin)
+                    .template to<T>();
+            const auto rounded = key.world_to_object.template to<double>();
+            const auto back = math::inverse(rounded);
+            if (!back) {
+                note(Kind::kSingular, id, 0);
+                g.instance_keys.resize(instance.first_key);
+                return;
+            }
+            // A millionth of the digits of float left, and as many more for double as it has.
+            constexpr double kWorst = 1e6 * (double{std::numeric_limits<float>::epsilon()} /
+                                             double{std::numeric_limits<T>::epsilon()});
+            if (math::condition(rounded, *back) > kWorst) note(Kind::kIllConditioned, id, 0);
+            key.object_to_world = *back;
+            g.instance_keys.push_back(key);
+        }
+        instance.world_bounds = instance_bounds<T>(
+            *bounds, std::span(g.instance_keys).subspan(instance.first_key, instance.keys));
+        add_item(PrimitiveKind::kInstance, g.instances.size(), instance.world_bounds);
+        g.instances.push_back(instance);
+    }
+
+    /// The shape itself, relative to its origin, and its box; nothing if nothing of it can be hit.
+    std::optional<BoxBounds<T>> place_shape(const ir::Object& object, ir::ObjectId id,
+                                            Instance<T>& instance) {
+        Geometry<T>& g = geometry();
+        switch (object.kind) {
+            case ir::ShapeKind::kSphere: {
+                const auto s =
+                    narrow_sphere<T>(scene_.spheres[object.shape].keys[0], instance.shape_origin);
+                if (!usable(s, id)) return std::nullopt;
+                instance.sphere = {s.center, s.radius, id};
+                return bounds_of(s.center, s.radius);
+            }
+            case ir::ShapeKind::kBox: {
+                const auto b = narrow_box<T>(scene_.boxes[object.shape], instance.shape_origin);
+                if (!usable(b, id)) return std::nullopt;
+                instance.box = {b, id};
+                return b;
+            }
+            case ir::ShapeKind::kTriangle: {
+                const auto v = narrow_vertices<T>(scene_.triangles[object.shape].keys[0],
+                                                  instance.shape_origin);
+                if (!usable(v, id, 0)) return std::nullopt;
+                instance.triangle = {v, id, 0};
+                return bounds_of(v);
+            }
+            case ir::ShapeKind::kMesh: {
+                std::uint32_t& place = placed_mesh_[object.shape];
+                if (place == Geometry<T>::kNone) {
+                    place = static_cast<std::uint32_t>(g.meshes.size());
+                    place_mesh(scene_.meshes[object.shape], id, instance.shape_origin);
+                }
+                instance.mesh = place;
+                if (g.meshes[place].triangles.empty()) return std::nullopt;
+                return g.meshes[place].tree.bounds;
+            }
+            case ir::ShapeKind::kPlane:
+                break;
+        }
+        return std::nullopt;
+    }
+
+    void place_mesh(const ir::Mesh& mesh, ir::ObjectId id, Vec3d shape_origin) {
+        PlacedMesh<T> placed;
+        std::vector<TrianglePrimitive<T>> triangles;
+        std::vector<BuildItem<T>> items;
+        for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+            const auto v = face_vertices<T>(mesh, f, shape_origin);
+            if (!usable(v, id, f)) continue;
+            items.push_back({bounds_of(v), PrimitiveKind::kTriangle,
+                             static_cast<std::uint32_t>(triangles.size())});
+            triangles.push_back({v, id, f});
+        }
+        placed.tree = build_tree(items);
+        placed.triangles.reserve(items.size());
+        for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
+        geometry().meshes.push_back(std::move(placed));
+    }
+
+    template <typename U>
+    void sort_kind(PrimitiveKind kind, std::vector<U>& array) {
+        std::vector<U> sorted;
+        sorted.reserve(array.size());
+        for (const auto& item : items_) {
+            if (item.kind == kind) sorted.push_back(array[item.index]);
+        }
+        array = std::move(sorted);
+    }
+
+    void sort_into_leaves() {
+        Geometry<T>& g = geometry();
+        g.tree = build_tree(items_);
+        sort_kind(PrimitiveKind::kTriangle, g.triangles);
+        sort_kind(PrimitiveKind::kSphere, g.spheres);
+        sort_kind(PrimitiveKind::kBox, g.boxes);
+        sort_kind(PrimitiveKind::kMovingTriangle, g.moving_triangles);
+        sort_kind(PrimitiveKind::kMovingSphere, g.moving_spheres);
+        sort_kind(PrimitiveKind::kInstance, g.instances);
+        const auto place = [&g](const auto& array, bool instance) {
+            for (std::uint32_t i = 0; i < array.size(); ++i) {
+                g.places[array[i].object.value] = {instance, i};
+            }
+        };
+        place(g.moving_triangles, false);
+        place(g.moving_spheres, false);
+        place(g.instances, true);
+    }
+
+    const ir::Scene& scene_;
+    PreparedScene<T> out_;
+    std::vector<BuildItem<T>> items_;
+    std::vector<std::uint32_t> placed_mesh_;
+};
+
+template <typename U>
+std::uint64_t bytes_of(const std::vector<U>& v) {
+    return v.size() * sizeof(U);
+}
+
+}  // namespace
+
+template <typename T>
+std::uint64_t PreparedScene<T>::bytes() const {
+    const Geometry<T>& g = geometry;
+    std::uint64_t sum =
+        bytes_of(g.tree.nodes) + bytes_of(g.triangles) + bytes_of(g.spheres) + bytes_of(g.boxes) +
+        bytes_of(g.moving_triangles) + bytes_of(g.moving_spheres) + bytes_of(g.instances) +
+        bytes_of(g.planes) + bytes_of(g.triangle_keys) + bytes_of(g.sphere_keys) +
+        bytes_of(g.plane_keys) + bytes_of(g.instance_keys) + bytes_of(g.places) + bytes_of(notes);
+    for (const auto& mesh : g.meshes) sum += bytes_of(mesh.triangles) + bytes_of(mesh.tree.nodes);
+    return sum;
+}
+
+template <typename T>
+PreparedScene<T> prepare(const ir::Scene& scene, const PrepareOptions& options) {
+    return Preparation<T>(scene, options).run();
+}
+
+template struct PreparedScene<float>;
+template struct PreparedScene<double>;
+template PreparedScene<float> prepare(const ir::Scene&, const PrepareOptions&);
+template PreparedScene<double> prepare(const ir::Scene&, const PrepareOptions&);
+
+}  // namespace cobble::renderer
