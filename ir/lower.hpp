@@ -24,6 +24,7 @@ struct Limits {
 
 struct LowerOptions {
     Compat compat = Compat::kNone;
+    bool casting = false;      ///< Compat::kProject with `-casting`: its ray caster's mesh normals
     bool decode_srgb = false;  ///< `--transfer srgb`: display inputs become linear
     Limits limits;
 };

@@ -28,8 +28,9 @@ struct Image {
     ColorTag tag = ColorTag::kDisplay;
     std::vector<std::uint8_t> bytes;
     std::vector<float> floats;
-    bool missing = false;  ///< stands for a file that could not be read (with keep-going)
-    std::string path;      ///< as resolved
+    bool missing = false;   ///< stands for a file that could not be read: a magenta checker
+    bool constant = false;  ///< every texel has the same value
+    std::string path;       ///< as resolved
     source::SourceId source;
 };
 
@@ -46,8 +47,8 @@ struct CubeMap {
 struct Mesh {
     struct Corner {
         std::uint32_t position;
-        std::uint32_t normal;  ///< kNone: flat
-        std::uint32_t uv;      ///< kNone: no texture coordinates
+        std::uint32_t normal;  ///< kNone (then at all corners of its face): flat
+        std::uint32_t uv;      ///< kNone (likewise): no texture coordinates
     };
     static constexpr std::uint32_t kNone = 0xffffffffU;
     struct Face {

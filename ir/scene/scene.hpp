@@ -88,6 +88,8 @@ struct Material {
     math::Vec2d texture_scale{1, 1};
     bool has_noise = false;
     Noise noise;
+    /// The one-colour picture that `diffuse` stands for, where lowering could put it there.
+    ImageId folded_texture;
     bool substituted = false;  ///< broken in the file: shown as a magenta checker
     std::string label;
     source::Span span;

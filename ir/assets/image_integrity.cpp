@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "ir/assets/image_integrity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+
+namespace cobble::ir {
+namespace {
+
+constexpr std::string_view kPngMark("\x89PNG\r\n\x1a\n", 8);
+constexpr const char* kCutShort = "the file ends too early";
+
+std::uint64_t byte_at(std::string_view s, std::size_t i) {
+    return i < s.size() ? static_cast<std::uint8_t>(s[i]) : 0;
+}
+std::uint64_t little(std::string_view s, std::size_t at, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count; ++i) value |= byte_at(s, at + i) << (8 * i);
+    return value;
+}
+std::uint64_t big32(std::string_view s, std::size_t at) {
+    return byte_at(s, at) << 24 | byte_at(s, at + 1) << 16 | byte_at(s, at + 2) << 8 |
+           byte_at(s, at + 3);
+}
+
+// CRC-32 as PNG defines it (ISO 3309, polynomial 0xedb88320 reflected).
+constexpr auto kCrcTable = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t n = 0; n < 256; ++n) {
+        std::uint32_t c = n;
+        for (int k = 0; k < 8; ++k) c = (c & 1) != 0 ? 0xedb88320U ^ (c >> 1) : c >> 1;
+        table[n] = c;
+    }
+    return table;
+}();
+
+std::uint32_t crc32(std::string_view bytes) {
+    std::uint32_t c = 0xffffffffU;
+    for (const char byte : bytes)
+        c = kCrcTable[(c ^ static_cast<std::uint8_t>(byte)) & 255] ^ (c >> 8);
+    return c ^ 0xffffffffU;
+}
+
+std::string png_damage(std::string_view bytes) {
+    std::size_t at = kPngMark.size();
+    for (;;) {
+        if (bytes.size() - at < 12) return kCutShort;
+        const std::uint64_t length = big32(bytes, at);
+        if (length > bytes.size() - at - 12) return kCutShort;
+        const auto chunk = bytes.substr(at + 4, static_cast<std::size_t>(length) + 4);
+        const std::string_view name = chunk.substr(0, 4);
+        at += static_cast<std::size_t>(length) + 8;
+        if (crc32(chunk) != big32(bytes, at)) {
+            const bool printable =
+                std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c < 0x7f; });
+            return "the checksum of its " + (printable ? std::string(name) : "next") +
+                   " chunk does not match";
+        }
+        at += 4;
+        if (name == "IEND") return {};
+    }
+}
+
+std::string bmp_damage(std::string_view bytes) {
+    const std::uint64_t offset = little(bytes, 10, 4);
+    const std::uint64_t header = little(bytes, 14, 4);
+    const bool old = header == 12;
+    const std::uint64_t width = old ? little(bytes, 18, 2) : little(bytes, 18, 4);
+    const auto raw_height = old ? static_cast<std::int64_t>(little(bytes, 20, 2))
+                                : static_cast<std::int32_t>(little(bytes, 22, 4));
+    const auto height = static_cast<std::uint64_t>(std::abs(raw_height));
+    const std::uint64_t bits = little(bytes, old ? 24 : 28, 2);
+    if (bytes.size() < 14 + header) return kCutShort;
+    if (bits == 0 || bits > 32) return "it claims " + std::to_string(bits) + " bits a pixel";
+    // Width and height are below 2^32 and 2^31, so neither product overflows 64 bits.
+    const std::uint64_t row = (width * bits + 31) / 32 * 4;
+    if (offset > bytes.size() || (height > 0 && row > (bytes.size() - offset) / height)) {
+        // Some programs leave out the padding of the last row.
+        const std::uint64_t packed = (width * bits + 7) / 8;
+        if (offset > bytes.size() || height == 0 ||
+            row * (height - 1) + packed > bytes.size() - offset) {
+            return kCutShort;
+        }
+    }
+    if (bits > 8) return {};
+    const std::uint64_t entry = old ? 3 : 4;
+    if (offset < 14 + header) return "its palette has no place";
+    const std::uint64_t palette = (offset - 14 - header) / entry;
+    if (palette >= (std::uint64_t{1} << bits)) return {};
+    for (std::uint64_t y = 0; y < height; ++y) {
+        for (std::uint64_t x = 0; x < width; ++x) {
+            const std::uint64_t bit = x * bits;
+            const std::uint64_t byte =
+                byte_at(bytes, static_cast<std::size_t>(offset + y * row + bit / 8));
+            const std::uint64_t index = (byte >> (8 - bits - bit % 8)) & ((1U << bits) - 1);
+            if (index >= palette) return "a pixel is beyond its palette";
+        }
+    }
+    return {};
+}
+
+std::string tga_damage(std::string_view bytes) {
+    const std::uint64_t type = byte_at(bytes, 2);
+    const bool indexed = byte_at(bytes, 1) != 0;
+    const std::uint64_t palette = little(bytes, 5, 2) * ((byte_at(bytes, 7) + 7) / 8);
+    const std::uint64_t pixels = little(bytes, 12, 2) * little(bytes, 14, 2);
+    const std::uint64_t unit = (byte_at(bytes, 16) + 7) / 8;
+    std::uint64_t at = 18 + byte_at(bytes, 0) + (indexed ? palette : 0);
+    if (type < 8) return at + pixels * unit > bytes.size() ? kCutShort : "";
+    for (std::uint64_t done = 0; done < pixels;) {
+        if (at >= bytes.size()) return kCutShort;
+        const std::uint64_t command = byte_at(bytes, static_cast<std::size_t>(at));
+        const std::uint64_t count = 1 + (command & 127);
+        at += 1 + ((command & 128) != 0 ? unit : unit * count);
+        done += count;
+    }
+    return at > bytes.size() ? kCutShort : "";
+}
+
+// The next line of an HDR header, without its end.
+std::optional<std::string_view> header_line(std::string_view bytes, std::size_t& at) {
+    const std::size_t end = bytes.find('\n', at);
+    if (end == std::string_view::npos) return std::nullopt;
+    const auto line = bytes.substr(at, end - at);
+    at = end + 1;
+    return line;
+}
+
+std::string hdr_damage(std::string_view bytes) {
+    std::size_t at = 0;
+    for (;;) {
+        const auto line = header_line(bytes, at);
+        if (!line) return kCutShort;
+        // Longer lines than any reader's buffer would be cut there, and mean something else.
+        if (line->size() > 1000) return "a line of its header is too long";
+        if (line->empty()) break;
+    }
+    const auto size_line = header_line(bytes, at);
+    if (!size_line) return kCutShort;
+    const std::string text(*size_line);
+    char* rest = nullptr;
+    if (!text.starts_with("-Y ")) return "its rows are not stored from the top";
+    const long height = std::strtol(text.c_str() + 3, &rest, 10);
+    while (*rest == ' ') ++rest;
+    if (std::string_view(rest).substr(0, 3) != "+X ")
+        return "its rows are not stored from the left";
+    const long width = std::strtol(rest + 3, nullptr, 10);
+    constexpr long kMost = 1 << 24;
+    if (width <= 0 || height <= 0 || width > kMost || height > kMost)
+        return "its size is out of range";
+    const auto w = static_cast<std::uint64_t>(width);
+    const auto h = static_cast<std::uint64_t>(height);
+    const auto flat = [&](std::size_t from) {
+        return w * h * 4 > bytes.size() - from ? kCutShort : "";
+    };
+    if (w < 8 || w >= 32768) return flat(at);
+    for (std::uint64_t y = 0; y < h; ++y) {
+        if (bytes.size() - at < 4) return kCutShort;
+        const bool runs =
+            byte_at(bytes, at) == 2 && byte_at(bytes, at + 1) == 2 && byte_at(bytes, at + 2) < 128;
+        if (!runs) return y == 0 ? flat(at) : "a row is not packed like the others";
+        if ((byte_at(bytes, at + 2) << 8 | byte_at(bytes, at + 3)) != w) {
+            return "a row has another length than the picture";
+        }
+        at += 4;
+        for (int channel = 0; channel < 4; ++channel) {
+            for (std::uint64_t x = 0; x < w;) {
+                if (bytes.size() - at < 2) return kCutShort;
+                std::uint64_t count = byte_at(bytes, at++);
+                if (count == 0) return "a run of pixels has no length";
+                if (count > 128) {
+                    count -= 128;
+                    ++at;
+                } else {
+                    if (count > bytes.size() - at) return kCutShort;
+                    at += static_cast<std::size_t>(count);
+                }
+                x += count;
+                if (x > w) return "a run of pixels is longer than its row";
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string_view image_format(std::string_view bytes) {
+    if (bytes.starts_with(kPngMark)) return "PNG";
+    if (bytes.starts_with("BM")) return "BMP";
+    if (bytes.starts_with("\xff\xd8")) return "JPEG";
+    if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return "HDR";
+    return {};
+}
+
+std::string find_damage(std::string_view bytes) {
+    const std::string_view format = image_format(bytes);
+    if (format == "PNG") return png_damage(bytes);
+    if (format == "BMP") return bmp_damage(bytes);
+    if (format == "HDR") return hdr_damage(bytes);
+    if (format == "JPEG") {
+        return bytes.rfind("\xff\xd9") == std::string_view::npos ? kCutShort : "";
+    }
+    return bytes.size() < 18 ? kCutShort : tga_damage(bytes);
+}
+
+}  // namespace cobble::ir

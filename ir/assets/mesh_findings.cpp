@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// What a mesh file is told about itself.
+#include "ir/assets/mesh_findings.hpp"
+#include "ir/assets/asset_loader.hpp"
+#include "ir/assets/obj/mesh_normals.hpp"
+#include "ir/assets/obj/obj_problems.hpp"
+
+namespace cobble::ir {
+
+using source::Diagnostic;
+using source::DiagnosticCode;
+using source::Severity;
+using source::Span;
+
+namespace {
+
+const DiagnosticCode kEmpty{
+    "asset-mesh-empty",
+    Severity::kWarning,
+    "a mesh file has no usable face",
+    "There is nothing to draw: the file has no `f` line that could be used. The object is left "
+    "out.",
+    "v 0 0 0\nv 1 0 0\nv 0 1 0",
+    "Export the mesh with its faces, or remove the object."};
+
+const DiagnosticCode kDegenerateFace{
+    "asset-mesh-degenerate-face",
+    Severity::kWarning,
+    "faces of a mesh have no area",
+    "A face whose corners lie on one line cannot be hit by a ray and has no normal. It is kept, "
+    "so that the numbers of the other faces stay what they are, but nothing of it is seen.",
+    "f 1 2 2",
+    "Remove the face, or merge doubled vertices in a modelling program."};
+
+const DiagnosticCode kZeroNormal{
+    "asset-mesh-zero-normal",
+    Severity::kWarning,
+    "normals of a mesh have no length",
+    "A `vn` of 0 0 0 points nowhere; faces that use it are shaded flat.",
+    "vn 0 0 0",
+    "Export the mesh again with normals, or without any."};
+
+const DiagnosticCode kDegenerateUv{
+    "asset-mesh-degenerate-uv",
+    Severity::kWarning,
+    "texture coordinates under a normal map have no area",
+    "A normal map is turned into space along the directions in which the texture coordinates grow. "
+    "Where the corners of a face have no such directions, any tangent is taken, so the relief may "
+    "look turned there.",
+    "vt 0 0\nf 1/1 2/1 3/1",
+    "Unwrap the mesh so that each face covers some area of the picture."};
+
+/// The line that begins at `offset`.
+Span line_span(source::SourceId id, std::string_view text, std::uint32_t offset) {
+    const auto end = std::min(text.find_first_of("\r\n", offset), text.size());
+    return {id, offset, static_cast<std::uint32_t>(end)};
+}
+
+struct Tally {
+    std::uint64_t count = 0;
+    std::uint32_t first = 0;  ///< byte of the first one's line
+    void add(std::uint32_t offset) {
+        if (count++ == 0) first = offset;
+    }
+};
+
+std::string of(std::uint64_t count, std::size_t total) {
+    return std::to_string(count) + " of " + std::to_string(total) +
+           (total == 1 ? " face" : " faces");
+}
+
+Diagnostic about(const DiagnosticCode& code, std::string message, Span span, Span scene_span) {
+    Diagnostic diagnostic;
+    diagnostic.code = &code;
+    diagnostic.severity = code.severity;
+    diagnostic.message = std::move(message);
+    diagnostic.span = span;
+    diagnostic.related.push_back({scene_span, "the mesh is named here"});
+    return diagnostic;
+}
+
+}  // namespace
+
+void AssetLoader::report_problems(const LoadedObj& loaded, Span span) {
+    const ObjFile& file = loaded.file;
+    const std::size_t first = found_.size();
+    for (const ObjProblem& problem : file.problems) {
+        report(about(*problem.code, problem.message, {loaded.source, problem.begin, problem.end},
+                     span),
+               span);
+    }
+    if (file.problem_count > file.problems.size() && found_.size() > first) {
+        found_.back().diagnostic.notes.push_back(
+            "and " + std::to_string(file.problem_count - file.problems.size()) +
+            " more errors in this file");
+    }
+    const std::string_view text = sources_.text(loaded.source);
+    if (file.faces.empty()) {
+        report(about(kEmpty, "mesh has no usable face", {loaded.source, 0, 0}, span), span);
+        return;
+    }
+    Tally flat;
+    Tally zero;
+    for (std::size_t i = 0; i < file.faces.size(); ++i) {
+        const auto& c = file.faces[i].corners;
+        const auto& p = file.positions;
+        if (!has_area(p[c[0].position], p[c[1].position], p[c[2].position])) {
+            flat.add(file.face_offsets[i]);
+        }
+        for (const auto& corner : c) {
+            if (corner.normal == Mesh::kNone) continue;
+            const math::Vec3d& n = file.normals[corner.normal];
+            if (n.x != 0 || n.y != 0 || n.z != 0) continue;
+            zero.add(file.face_offsets[i]);
+            break;
+        }
+    }
+    if (flat.count > 0) {
+        report(
+            about(kDegenerateFace, of(flat.count, file.faces.size()) + " of the mesh have no area",
+                  line_span(loaded.source, text, flat.first), span),
+            span);
+    }
+    if (zero.count > 0) {
+        report(
+            about(kZeroNormal,
+                  of(zero.count, file.faces.size()) + " of the mesh have a normal without length",
+                  line_span(loaded.source, text, zero.first), span),
+            span);
+    }
+}
+
+void report_degenerate_uvs(AssetLoader& loader, const LoadedObj& loaded, std::string_view text,
+                           Span span) {
+    const ObjFile& file = loaded.file;
+    Tally tally;
+    for (std::size_t i = 0; i < file.faces.size(); ++i) {
+        const auto& c = file.faces[i].corners;
+        if (c[0].uv != Mesh::kNone) {
+            const math::Vec2d a = file.uvs[c[0].uv];
+            const math::Vec2d b = file.uvs[c[1].uv];
+            const math::Vec2d d = file.uvs[c[2].uv];
+            const double area = (b.x - a.x) * (d.y - a.y) - (b.y - a.y) * (d.x - a.x);
+            if (area != 0) continue;
+        }
+        tally.add(file.face_offsets[i]);
+    }
+    if (tally.count == 0) return;
+    loader.report(about(kDegenerateUv,
+                        of(tally.count, file.faces.size()) +
+                            " under a normal map have texture coordinates without area",
+                        line_span(loaded.source, text, tally.first), span),
+                  span);
+}
+
+}  // namespace cobble::ir

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The findings of both OBJ readers: their codes, and a list that stops growing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "ir/assets/obj/obj_file.hpp"
+
+namespace cobble::ir {
+
+extern const source::DiagnosticCode kObjNumber;
+extern const source::DiagnosticCode kObjStatement;
+extern const source::DiagnosticCode kObjFace;
+extern const source::DiagnosticCode kObjIndex;
+extern const source::DiagnosticCode kObjTooManyFaces;
+
+/// Counts a problem of `file` and lists it if there is room.
+void add_problem(ObjFile& file, const source::DiagnosticCode& code, std::size_t begin,
+                 std::size_t end, std::string message);
+
+/// Which of its arrays a corner's index points into.
+enum class ObjIndexKind : std::uint8_t { kPosition, kUv, kNormal };
+
+/// "face refers to vertex 9, but the file has 8".
+std::string index_message(ObjIndexKind kind, std::int64_t index, std::size_t count);
+
+/// Puts the problems in order of their bytes (indices are judged after the whole file is read).
+void sort_problems(ObjFile& file);
+
+}  // namespace cobble::ir
