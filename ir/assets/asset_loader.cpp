@@ -94,7 +94,12 @@ std::string tidy(std::string_view path) {
     return result;
 }
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string quoted(std::string_view text) {
+    std::string result(1, '\'');
+    result += text;
+    result += '\'';
+    return result;
+}
 
 }  // namespace
 

@@ -216,6 +216,24 @@ class CreaseNormals {
             if (!flat && !missing) continue;
             for (auto& corner : corners) corner.normal = kNone;
         }
+        drop_unused();
+    }
+
+    void drop_unused() {
+        std::vector<std::uint32_t> moved(mesh_.normals.size(), kNone);
+        std::vector<Vec3d> kept;
+        for (auto& face : mesh_.faces) {
+            for (auto& corner : face.corners) {
+                if (corner.normal == kNone) continue;
+                std::uint32_t& target = moved[corner.normal];
+                if (target == kNone) {
+                    target = static_cast<std::uint32_t>(kept.size());
+                    kept.push_back(mesh_.normals[corner.normal]);
+                }
+                corner.normal = target;
+            }
+        }
+        mesh_.normals = std::move(kept);
     }
 
     Mesh& mesh_;
