@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ir/sha256.hpp"
+#include "ir/output/sha256.hpp"
 
 #include <algorithm>
 #include <bit>
