@@ -115,9 +115,13 @@ void report_extra_brace(const CstNode& node, Reporter& reporter) {
 }
 
 void report_nameless(const CstNode& node, Reporter& reporter) {
-    reporter.add(kNamelessBlock, TokenId{node.first_token},
-                 node.unclosed != 0 ? "this '{' has neither a name before it nor a '}' after it"
-                                    : "this '{' has no name before it");
+    const TokenId brace{node.first_token};
+    Diagnostic& finding =
+        reporter.add(kNamelessBlock, brace,
+                     node.unclosed != 0 ? "this '{' has neither a name before it nor a '}' after it"
+                                        : "this '{' has no name before it");
+    const bool alone = node.end_token == node.first_token + 1;
+    if (alone) finding.fixes.push_back({"remove '{'", true, {{reporter.span(brace), ""}}});
 }
 
 void report_stray_values(const CstNode& node, std::string_view where, Reporter& reporter) {

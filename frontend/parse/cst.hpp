@@ -18,7 +18,7 @@ enum class NodeKind : std::uint8_t {
     kNumbers,     ///< the bare numbers of a positional block
     kStrayValue,  ///< values where no field can take them
     kStrayClose,  ///< a } that closes nothing
-    kNameless,    ///< { members } without a name
+    kNameless,    ///< { members } without a name, or a single { right after another
     kUnknown,     ///< a word that is no name here, with the values after it
 };
 

@@ -20,14 +20,19 @@ struct Level {
     Indent indent;
     Indent child_indent;  ///< of the first child
     bool has_child;
+    bool has_object;  ///< a block that is no transform: what a Transform is for
 };
+
+enum class Wanted : std::uint8_t { kMissing, kExtra };
 
 class Search {
   public:
     Search(const Tokens& tokens, const Cst& cst, const BlockRow* around, bool at_top)
-        : tokens_(tokens), cst_(cst), around_(around), at_top_(at_top) {}
+        : tokens_(tokens), cst_(cst), around_(around), at_top_(at_top), wanted_(Wanted::kMissing) {}
+    Search(const Tokens& tokens, const Cst& cst)
+        : tokens_(tokens), cst_(cst), around_(nullptr), at_top_(true), wanted_(Wanted::kExtra) {}
 
-    std::optional<MissingClose> run(std::uint32_t root) {
+    std::optional<Culprit> run(std::uint32_t root) {
         enter(root);
         for (std::uint32_t i = root + 1; i < cst_.nodes.size(); ++i) {
             if (auto found = leave_closed(i)) return found;
@@ -37,10 +42,14 @@ class Search {
             if (!top.has_child) {
                 top.has_child = true;
                 top.child_indent = indent;
-            } else if (stands_beside_top(indent) && fits_beside_top(node)) {
+            } else if (wanted_ == Wanted::kMissing && stands_beside_top(indent) &&
+                       fits_beside_top(node)) {
                 return found_at(node.first_token, i);
             }
-            if (is_block(node)) enter(i);
+            if (is_block(node)) {
+                if (holds_object(node)) top.has_object = true;
+                enter(i);
+            }
         }
         return leave_closed(static_cast<std::uint32_t>(cst_.nodes.size()));
     }
@@ -58,19 +67,20 @@ class Search {
 
     void enter(std::uint32_t node) {
         const CstNode& block = cst_.nodes[node];
-        levels_.push_back(
-            {node, row_of(block), indent_of(tokens_, block.first_token), std::nullopt, false});
+        levels_.push_back({node, row_of(block), indent_of(tokens_, block.first_token), std::nullopt,
+                           false, false});
     }
 
     // Leaves the blocks that end before the node `next`, looking at their closing braces.
-    std::optional<MissingClose> leave_closed(std::uint32_t next) {
+    std::optional<Culprit> leave_closed(std::uint32_t next) {
         while (!levels_.empty()) {
             const CstNode& block = cst_.nodes[levels_.back().node];
             if (block.end_token == 0 || block.end_node != next) return std::nullopt;
             const std::uint32_t brace = block.end_token - 1;
-            if (block.unclosed == 0 && stands_like_outer(indent_of(tokens_, brace))) {
-                return found_at(brace, next);
-            }
+            const Indent indent = indent_of(tokens_, brace);
+            const bool odd = wanted_ == Wanted::kMissing ? stands_like_outer(indent)
+                                                         : stands_deeper(brace, indent);
+            if (block.unclosed == 0 && odd) return found_at(brace, next);
             levels_.pop_back();
         }
         return std::nullopt;
@@ -84,8 +94,29 @@ class Search {
                            [&brace](const Level& level) { return level.indent == brace; });
     }
 
+    [[nodiscard]] bool stands_deeper(std::uint32_t brace, const Indent& indent) const {
+        const Level& top = levels_.back();
+        if (!top.indent) return false;
+        // Deeper, and by the same tabs and blanks: other mixtures say nothing.
+        if (indent) return indent->size() > top.indent->size() && indent->starts_with(*top.indent);
+        // `} }` at the end of several lines.
+        if (tokens_.kind({brace - 1}) != TokenKind::kCloseBrace) return false;
+        const std::uint32_t begin = tokens_.tokens[cst_.nodes[top.node].first_token].begin;
+        const std::uint32_t end = tokens_.tokens[brace].begin;
+        return tokens_.text.substr(begin, end - begin).find_first_of("\r\n") !=
+               std::string_view::npos;
+    }
+
+    [[nodiscard]] bool holds_object(const CstNode& node) const {
+        const BlockRow* row = row_of(node);
+        return row != nullptr && row->role != grammar::Role::kMove;
+    }
+
     [[nodiscard]] bool stands_beside_top(const Indent& item) const {
         const Level& top = levels_.back();
+        // A Transform does not end before the object that it moves, however that is indented.
+        const bool is_transform = top.row != nullptr && top.row->role == grammar::Role::kTransform;
+        if (is_transform && !top.has_object) return false;
         return item && item == top.indent && item != top.child_indent;
     }
 
@@ -100,8 +131,8 @@ class Search {
                               : grammar::field_named(parent->id, word) != nullptr;
     }
 
-    [[nodiscard]] MissingClose found_at(std::uint32_t token, std::uint32_t node_count) const {
-        MissingClose found{token, node_count, {}};
+    [[nodiscard]] Culprit found_at(std::uint32_t token, std::uint32_t node_count) const {
+        Culprit found{token, node_count, {}};
         found.open_blocks.reserve(levels_.size());
         for (const Level& level : levels_) found.open_blocks.push_back(level.node);
         return found;
@@ -111,15 +142,19 @@ class Search {
     const Cst& cst_;
     const BlockRow* around_;
     bool at_top_;
+    Wanted wanted_;
     std::vector<Level> levels_;
 };
 
 }  // namespace
 
-std::optional<MissingClose> find_missing_close(const Tokens& tokens, const Cst& cst,
-                                               std::uint32_t root, const BlockRow* around,
-                                               bool at_top) {
+std::optional<Culprit> find_missing_close(const Tokens& tokens, const Cst& cst, std::uint32_t root,
+                                          const BlockRow* around, bool at_top) {
     return Search(tokens, cst, around, at_top).run(root);
+}
+
+std::optional<Culprit> find_extra_close(const Tokens& tokens, const Cst& cst, std::uint32_t root) {
+    return Search(tokens, cst).run(root);
 }
 
 }  // namespace cobble::frontend

@@ -77,8 +77,11 @@ bool TokenInput::at_member() {
 }
 
 bool TokenInput::at_word_value() {
-    if (brace_follows()) return false;
     if (kind_at(current_) == TokenKind::kWord && word().valid()) return false;
+    if (brace_follows()) {
+        // `MaterialIndex stone` above a { that has lost its name.
+        return on_line_of_previous() && tokens_.line_ends_after({current_});
+    }
     if (on_line_of_previous()) return true;
     // On the next line no value may follow it there, or it is the misspelt name of the next field.
     const TokenKind next = kind_at(current_ + 1);

@@ -2,7 +2,6 @@
 #include "frontend/parse/tree_builder.hpp"
 
 #include "frontend/parse/layout.hpp"
-#include "frontend/parse/recovery.hpp"
 
 namespace cobble::frontend {
 namespace {
@@ -97,7 +96,9 @@ void TreeBuilder::add_unknown(std::uint32_t begin, std::uint32_t end) {
     leave_bare_positional(begin);
     const grammar::WordId word = grammar::find_word(tokens_.text_of({begin}));
     if (grammar::names_a_field(word)) {
-        if (reopen_for(nullptr, word, begin) || ends_enclosed_block(word, begin)) {
+        const Placing placing = reopen_for(nullptr, word, begin);
+        if (placing == Placing::kResumed) return;
+        if (placing == Placing::kPlaced || ends_enclosed_block(word, begin)) {
             resume_ = begin;
             return;
         }
@@ -131,7 +132,12 @@ void TreeBuilder::enter_block(std::uint32_t begin, bool bare) {
 
 void TreeBuilder::enter_nameless(std::uint32_t begin) {
     leave_bare_positional(begin);
-    open_node(begin, nullptr, false, true, NodeKind::kNameless);
+    const bool doubled = begin > 0 && tokens_.kind({begin - 1}) == TokenKind::kOpenBrace;
+    if (doubled && fits_top(begin + 1)) {
+        add_node(NodeKind::kNameless, begin, begin + 1, true);
+    } else {
+        open_node(begin, nullptr, false, true, NodeKind::kNameless);
+    }
 }
 
 void TreeBuilder::end_top(std::uint32_t end, bool unclosed) {
@@ -147,10 +153,15 @@ void TreeBuilder::end_top(std::uint32_t end, bool unclosed) {
 }
 
 void TreeBuilder::close_block(std::uint32_t brace) {
-    // The brace after `Rotate 0 1 0 90` without braces is the next block's, unless it stands right
-    // behind the numbers.
-    if (tokens_.first_on_line({brace})) leave_bare_positional(brace);
+    // The brace after `Rotate 0 1 0 90` without { is the outer block's, unless it stands behind the
+    // numbers or like the name.
+    const auto indent = indent_of(tokens_, brace);
+    if (indent && !open_.empty() &&
+        indent != indent_of(tokens_, cst_.nodes[open_.top().node].first_token)) {
+        leave_bare_positional(brace);
+    }
     if (open_.empty()) {
+        if (look_back_for_extra(brace)) return;
         add_node(NodeKind::kStrayClose, brace, brace + 1, true);
     } else {
         end_top(brace + 1, false);
@@ -166,11 +177,22 @@ void TreeBuilder::finish(std::uint32_t end_of_file) {
 
 // --- Where does it stand, and which brace is missing? --------------------------------------------
 
+bool TreeBuilder::fits_top(std::uint32_t token) const {
+    if (open_.empty() || open_.top().row == nullptr) return false;
+    const BlockRow& top = *open_.top().row;
+    if (open_.inside() == Inside::kPositional) return tokens_.kind({token}) == TokenKind::kNumber;
+    if (tokens_.kind({token}) != TokenKind::kWord) return false;
+    const grammar::WordId word = grammar::find_word(tokens_.text_of({token}));
+    const BlockRow* row = grammar::block_named(word);
+    return row != nullptr ? grammar::may_stand_in(row->id, top.id)
+                          : grammar::field_named(top.id, word) != nullptr;
+}
+
 TreeBuilder::Placing TreeBuilder::place(const BlockRow& row, std::uint32_t begin) {
     std::size_t depth = open_.home_of(row);
     if (depth == OpenBlocks::kNowhere) {
         leave_bare_positional(begin);
-        return reopen_for(&row, {}, begin) ? Placing::kPlaced : Placing::kMisplaced;
+        return reopen_for(&row, {}, begin);
     }
     if (depth == open_.depth()) return Placing::kPlaced;
     if (look_back(depth, begin)) return Placing::kResumed;
@@ -186,26 +208,47 @@ void TreeBuilder::look_back_from_end(std::uint32_t end_of_file) {
 // tree is cut back to there.
 bool TreeBuilder::look_back(std::size_t depth, std::uint32_t place) {
     const std::uint32_t root = open_.at(depth).node;
-    const std::uint64_t cost = place - cst_.nodes[root].first_token;
-    if (cost > budget_) return false;
-    budget_ -= cost;
+    if (!afford(place - cst_.nodes[root].first_token)) return false;
     const BlockRow* around = depth == 0 ? nullptr : open_.at(depth - 1).row;
     const auto found = find_missing_close(tokens_, cst_, root, around, depth == 0);
     if (!found) return false;
+    cut_back(*found, depth);
+    end_top(found->token, true);
+    resume_ = found->token;
+    return true;
+}
 
-    cst_.nodes.resize(found->node_count);
+// The block that has just been closed may have ended too early: perhaps a } inside it, or its own,
+// was too many.
+bool TreeBuilder::look_back_for_extra(std::uint32_t place) {
+    const std::uint32_t root = last_closed_;
+    if (root == 0 || cst_.nodes[root].end_token != place) return false;
+    if (!afford(place - cst_.nodes[root].first_token)) return false;
+    const auto found = find_extra_close(tokens_, cst_, root);
+    if (!found) return false;
+    cut_back(*found, open_.depth());
+    add_node(NodeKind::kStrayClose, found->token, found->token + 1, true);
+    resume_ = found->token + 1;
+    return true;
+}
+
+bool TreeBuilder::afford(std::uint64_t cost) {
+    if (cost > budget_) return false;
+    budget_ -= cost;
+    return true;
+}
+
+void TreeBuilder::cut_back(const Culprit& culprit, std::size_t depth) {
+    cst_.nodes.resize(culprit.node_count);
     last_closed_ = 0;
     while (open_.depth() > depth) open_.pop();
-    for (const std::uint32_t node : found->open_blocks) {
+    for (const std::uint32_t node : culprit.open_blocks) {
         CstNode& block = cst_.nodes[node];
         block.end_token = 0;
         block.end_node = 0;
         block.unclosed = 0;
         open_.push(node, row_of(block.first_token), !open_brace_of(tokens_, block).valid());
     }
-    end_top(found->before_token, true);
-    resume_ = found->before_token;
-    return true;
 }
 
 std::optional<std::uint32_t> TreeBuilder::take_resume_place() {
@@ -218,25 +261,27 @@ void TreeBuilder::leave_bare_positional(std::uint32_t at) {
     if (open_.inside() == Inside::kPositional && open_.top().bare) end_top(at, true);
 }
 
-// What fits nowhere here, but would fit in the block that has just been closed, tells that its } is
+// What fits nowhere here, but would fit in the block that has just been closed, tells that a } was
 // one too many, if the layout agrees.
-bool TreeBuilder::reopen_for(const BlockRow* row, grammar::WordId word, std::uint32_t begin) {
+TreeBuilder::Placing TreeBuilder::reopen_for(const BlockRow* row, grammar::WordId word,
+                                             std::uint32_t begin) {
     const std::uint32_t last = last_closed_;
-    if (last == 0 || cst_.nodes[last].end_node != cst_.nodes.size()) return false;
+    if (last == 0 || cst_.nodes[last].end_token != begin) return Placing::kMisplaced;
     CstNode& block = cst_.nodes[last];
-    if (static_cast<NodeKind>(block.kind) != NodeKind::kBlock || block.unclosed != 0) return false;
     const BlockRow* its_row = row_of(block.first_token);
-    if (its_row == nullptr || block.end_token != begin) return false;
+    if (its_row == nullptr || block.unclosed != 0) return Placing::kMisplaced;
     const bool fits = row != nullptr ? grammar::may_stand_in(row->id, its_row->id)
                                      : grammar::field_named(its_row->id, word) != nullptr;
+    if (!fits) return Placing::kMisplaced;
+    if (look_back_for_extra(begin)) return Placing::kResumed;
     const std::uint32_t brace = begin - 1;
-    if (!fits || !close_looks_extra(tokens_, block.first_token, brace, begin)) return false;
+    if (!close_looks_extra(tokens_, block.first_token, brace, begin)) return Placing::kMisplaced;
     block.end_token = 0;
     block.end_node = 0;
     last_closed_ = 0;
     open_.push(last, its_row, !open_brace_of(tokens_, block).valid());
     add_node(NodeKind::kStrayClose, brace, begin, true);
-    return true;
+    return Placing::kPlaced;
 }
 
 // A field of the block around the innermost one that is indented like the innermost one's name.

@@ -11,6 +11,7 @@
 #include "frontend/lex/tokens.hpp"
 #include "frontend/parse/cst.hpp"
 #include "frontend/parse/open_blocks.hpp"
+#include "frontend/parse/recovery.hpp"
 #include "grammar/vocabulary.hpp"
 
 namespace cobble::frontend {
@@ -48,9 +49,13 @@ class TreeBuilder {
     void end_top(std::uint32_t end, bool unclosed);
     Placing place(const grammar::BlockRow& row, std::uint32_t begin);
     bool look_back(std::size_t depth, std::uint32_t place);
+    bool look_back_for_extra(std::uint32_t place);
+    bool afford(std::uint64_t cost);
+    void cut_back(const Culprit& culprit, std::size_t depth);
     void leave_bare_positional(std::uint32_t at);
-    bool reopen_for(const grammar::BlockRow* row, grammar::WordId word, std::uint32_t begin);
+    Placing reopen_for(const grammar::BlockRow* row, grammar::WordId word, std::uint32_t begin);
     bool ends_enclosed_block(grammar::WordId word, std::uint32_t begin);
+    [[nodiscard]] bool fits_top(std::uint32_t token) const;
     [[nodiscard]] const grammar::BlockRow* row_of(std::uint32_t token) const;
     [[nodiscard]] bool values_fit(grammar::ValueType type, std::uint32_t begin,
                                   std::uint32_t end) const;
