@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frontend/check/check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -49,6 +51,21 @@ bool stands_before(const source::Diagnostic& a, const source::Diagnostic& b) {
     return std::tuple(key(a), a.code->code) < std::tuple(key(b), b.code->code);
 }
 
+/// Says in the last finding of each severity how many more there were.
+void note_dropped(CheckContext& context) {
+    for (const auto& [severity, name] : {std::pair(source::Severity::kError, "errors"),
+                                         std::pair(source::Severity::kWarning, "warnings")}) {
+        if (context.count(severity) <= CheckContext::kMostFindings) continue;
+        const auto is_one = [wanted = severity](const source::Diagnostic& diagnostic) {
+            return diagnostic.severity == wanted;
+        };
+        const auto last = std::find_if(context.found.rbegin(), context.found.rend(), is_one);
+        last->notes.push_back(fmt::format("{} more {} of the file are not listed",
+                                          context.count(severity) - CheckContext::kMostFindings,
+                                          name));
+    }
+}
+
 }  // namespace
 
 bool CheckedScene::has_errors() const {
@@ -79,6 +96,7 @@ CheckedScene check_unverified(source::SourceId source, std::string_view text) {
 #define COBBLE_SCENE_CHECK(function) function(context);
 #include "frontend/check/checks.def"
 
+    note_dropped(context);
     std::ranges::stable_sort(context.found, stands_before);
     std::ranges::move(context.found, std::back_inserter(scene.diagnostics));
     return scene;

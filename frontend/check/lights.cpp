@@ -17,7 +17,9 @@ const source::DiagnosticCode kNoLights{
 }  // namespace
 
 void check_lights(CheckContext& context) {
-    if (context.ast().structure_broken) return;
+    // What is unknown at the top level may hold the lights, and an empty file lacks more than them.
+    if (context.ast().structure_broken || context.ast().roots.empty()) return;
+    if (context.strange_members(BlockNodeId{}) > 0) return;
     source::Span place;
     for (const BlockNodeId root : context.ast().roots) {
         const BlockNode& block = context.block(root);
@@ -27,7 +29,6 @@ void check_lights(CheckContext& context) {
         place = context.name_span(root);
     }
     if (!place.valid()) {
-        if (context.explained(BlockNodeId{}, "Lights")) return;
         place = context.span(TokenId{context.tokens().size() - 1});
     }
     auto& diagnostic = context.report(kNoLights, place, "the scene has no lights");

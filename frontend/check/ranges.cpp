@@ -11,10 +11,10 @@
 namespace cobble::frontend {
 namespace {
 
-const source::DiagnosticCode kNumberOutOfRange{
-    "number-out-of-range",
+const source::DiagnosticCode kValueOutOfRange{
+    "value-out-of-range",
     source::Severity::kError,
-    "a number is outside its allowed range",
+    "a value is outside its allowed range",
     "The value has no meaning there: an exponent below zero, more aperture blades than can be "
     "drawn, a number that single precision cannot hold.",
     "Materials {\n"
@@ -57,7 +57,7 @@ constexpr double kLargest = std::numeric_limits<float>::max();
 const source::DiagnosticCode& code_for(grammar::FieldId field) {
     if (field == grammar::FieldId::kPerspectiveCamera_angle) return kAngleOutOfRange;
     if (field == grammar::FieldId::kSphere_radius) return kRadiusNotPositive;
-    return kNumberOutOfRange;
+    return kValueOutOfRange;
 }
 
 bool inside(const grammar::Range& range, double number) {
@@ -107,7 +107,7 @@ void check_number_ranges(CheckContext& context, BlockNodeId id) {
             const source::Span place = context.span(value.token);
             if (!finite) {
                 auto& diagnostic =
-                    context.report(kNumberOutOfRange, place,
+                    context.report(kValueOutOfRange, place,
                                    fmt::format("{} is too large", subject(context, id, row)));
                 diagnostic.notes.push_back("the largest number is 3.4e38, in either direction");
             } else {

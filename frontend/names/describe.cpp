@@ -86,8 +86,14 @@ std::string what_it_takes(grammar::BlockId block) {
     if (!optional.empty()) {
         needed += fmt::format("{}optionally {}", needed.empty() ? "" : ", ", optional);
     }
-    return fmt::format("{} takes {}", grammar::row(block).name,
-                       needed.empty() ? "no arguments" : needed);
+    std::string members;
+    for (const grammar::BlockRow& row : grammar::blocks()) {
+        if (!grammar::may_stand_in(row.id, block)) continue;
+        members += members.empty() ? " and holds " : ", ";
+        members += row.name;
+    }
+    return fmt::format("{} takes {}{}", grammar::row(block).name,
+                       needed.empty() ? "no arguments" : needed, members);
 }
 
 std::string quoted_list(std::span<const std::string_view> names) {

@@ -14,7 +14,8 @@ namespace cobble::frontend {
 std::string_view expected_value(grammar::ValueType type);
 
 /// "DirectionalLight takes direction x y z, color r g b, optionally angle a": every argument of a
-/// block in the order of its documentation, the optional ones after the others.
+/// block in the order of its documentation, the optional ones after the others,
+/// and the blocks that may stand in it.
 std::string what_it_takes(grammar::BlockId block);
 
 /// "'a'", "'a' and 'b'", "'a', 'b' and 'c'".

@@ -26,6 +26,19 @@ bool same_letters(std::string_view a, std::string_view b) {
     }
 }
 
+/// A word in lower case.
+class Folded {
+  public:
+    explicit Folded(std::string_view word) : size_(word.size()) {
+        std::ranges::transform(word, text_.begin(), lower);
+    }
+    [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+
+  private:
+    std::array<char, kLongestWord> text_;
+    std::size_t size_;
+};
+
 struct Near {
     std::size_t distance;
     std::string_view name;
@@ -74,16 +87,19 @@ std::size_t edit_distance(std::string_view from, std::string_view to, std::size_
 std::vector<std::string_view> near_names(std::string_view word,
                                          std::span<const std::string_view> candidates,
                                          std::size_t limit) {
+    if (word.size() > kLongestWord) return {};
+    const Folded folded_word(word);
     std::vector<Near> found;
     for (const std::string_view name : candidates) {
         if (name == word) continue;
+        if (name.size() > kLongestWord) continue;
         const std::size_t shorter = std::min(word.size(), name.size());
         const std::size_t allowed =
             shorter < 3 ? 0 : std::clamp(shorter / 3, std::size_t{1}, kMostEdits);
         std::size_t distance = 0;
         if (!same_letters(word, name)) {
             if (allowed == 0) continue;
-            distance = edit_distance(word, name, allowed);
+            distance = edit_distance(folded_word.view(), Folded(name).view(), allowed);
             if (distance > allowed) continue;
         }
         const auto is_it = [name](const Near& near) { return near.name == name; };

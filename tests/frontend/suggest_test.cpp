@@ -62,6 +62,7 @@ TEST_CASE("near names") {
     CHECK(nearest_name("difuseColour", names) == "diffuseColor");
     CHECK(nearest_name("materials", names) == "Materials");
     CHECK(nearest_name("UP", names) == "up");
+    CHECK(nearest_name("matrials", names) == "Materials");
     CHECK(nearest_name("upp", names).empty());
     CHECK(nearest_name("radius", names).empty());
     CHECK(nearest_name("angle", names).empty());
