@@ -138,12 +138,9 @@ void report_duplicate(CheckContext& context, BlockNodeId id, const FieldNode& fi
     diagnostic.related.push_back(
         {context.name_span(first), fmt::format("'{}' is already given here", row.name)});
     // If both say the same it does not matter which one goes.
-    diagnostic.fixes.push_back(
-        {fmt::format("remove '{}'", context.text(context.span(
-                                        TokenId{context.scene.cst.node(again.cst).first_token},
-                                        TokenId{context.scene.cst.node(again.cst).end_token - 1}))),
-         same && !twice,
-         {{context.removal_span(again.cst), ""}}});
+    diagnostic.fixes.push_back({fmt::format("remove this '{}'", row.name),
+                                same && !twice,
+                                {{context.removal_span(again.cst), ""}}});
 }
 
 }  // namespace
@@ -176,6 +173,8 @@ void check_missing_arguments(CheckContext& context, BlockNodeId id) {
 }
 
 void check_duplicate_arguments(CheckContext& context, BlockNodeId id) {
+    const grammar::Layout layout = context.row(id).layout;
+    if (layout == grammar::Layout::kInline || layout == grammar::Layout::kPositional) return;
     const BlockFacts& facts = facts_of(context.block(id).row);
     const auto fields = context.ast().fields_of(id);
     std::uint32_t seen = 0;

@@ -115,7 +115,7 @@ void check_camera(CheckContext& context, BlockNodeId id) {
     if (blades != nullptr && (blades->number == 1 || blades->number == 2)) {
         const source::Span place = context.span(blades->token);
         context.report(kTooFewBlades, place,
-                       fmt::format("'blades' must be 0 or 3 to 16, not {}", context.text(place)));
+                       fmt::format("'blades' must be 0 or 3 to 16, not {}", context.shown(place)));
     }
 
     const FieldNode* open_field = ast.find(id, kPerspectiveCamera_shutterOpen);

@@ -38,6 +38,9 @@ const source::DiagnosticCode kLightColorAboveOne{
     "}\n",
     "Keep the components at or below 1, unless the brightness is meant."};
 
+/// A component above this was meant as a byte rather than as a very bright light.
+constexpr double kSurelyByte = 10;
+
 /// `255 128 0` as #ff8000, if that can be what was meant.
 void offer_hex(const CheckContext& context, const FieldNode& field,
                source::Diagnostic& diagnostic) {
@@ -46,7 +49,8 @@ void offer_hex(const CheckContext& context, const FieldNode& field,
     const bool bytes = std::ranges::all_of(values, [](const Value& value) {
         return value.number >= 0 && value.number <= 255 && std::floor(value.number) == value.number;
     });
-    if (!bytes) return;
+    const double largest = std::ranges::max(values, {}, &Value::number).number;
+    if (!bytes || largest <= kSurelyByte) return;
     const std::string hex =
         fmt::format("#{:02x}{:02x}{:02x}", static_cast<int>(values[0].number),
                     static_cast<int>(values[1].number), static_cast<int>(values[2].number));
@@ -68,7 +72,7 @@ void check_color(CheckContext& context, BlockNodeId id, const FieldNode& field,
             kColorOutOfRange, place,
             fmt::format("'{}' of {} {}, not {}", row.name, context.name(id),
                         bounded ? "must lie between 0 and 1" : "must not be negative",
-                        context.text(place)));
+                        context.shown(place)));
         if (value.number > 1) offer_hex(context, field, diagnostic);
         return;
     }

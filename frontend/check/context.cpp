@@ -4,17 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "frontend/ast/edits.hpp"
 #include "frontend/names/dialects.hpp"
 #include "frontend/names/suggest.hpp"
 
 namespace cobble::frontend {
-namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-bool ends_line(char c) { return c == '\n' || c == '\r'; }
-
-}  // namespace
-
 source::Span CheckContext::span(TokenId token) const { return span(token, token); }
 
 source::Span CheckContext::span(TokenId first, TokenId last) const {
@@ -36,19 +30,17 @@ source::Span CheckContext::value_span(const FieldNode& field) const {
 
 source::Span CheckContext::removal_span(NodeId node) const {
     const CstNode& record = scene.cst.node(node);
-    const std::string_view text = tokens().text;
-    source::Span span = this->span(TokenId{record.first_token}, TokenId{record.end_token - 1});
-    std::uint32_t begin = span.begin;
-    std::uint32_t end = span.end;
-    while (begin > 0 && is_blank(text[begin - 1])) --begin;
-    while (end < text.size() && is_blank(text[end])) ++end;
-    const bool starts = begin == 0 || ends_line(text[begin - 1]);
-    const bool stops = end == text.size() || ends_line(text[end]);
-    if (starts && stops) {
-        if (end < text.size()) end += text.substr(end, 2) == "\r\n" ? 2 : 1;
-        return {span.source, begin, end};
-    }
-    return {span.source, starts ? span.begin : begin, starts ? end : span.end};
+    const ByteRange range =
+        removal_range(tokens(), TokenId{record.first_token}, TokenId{record.end_token - 1});
+    return {scene.source, range.begin, range.end};
+}
+
+std::string CheckContext::shown(source::Span span) const {
+    // No number that means something needs more digits.
+    constexpr std::size_t kLongest = 40;
+    const std::string_view whole = text(span);
+    if (whole.size() <= kLongest) return std::string(whole);
+    return std::string(whole.substr(0, kLongest)) + "...";
 }
 
 bool CheckContext::reliable(BlockNodeId id) const {
@@ -79,6 +71,16 @@ bool CheckContext::is_strange(BlockNodeId parent, NodeId member) const {
     return !parent.valid() || grammar::find_field(block(parent).row, word) == nullptr;
 }
 
+bool CheckContext::has_surplus(BlockNodeId parent, NodeId member) const {
+    const CstNode& node = scene.cst.node(member);
+    if (!parent.valid() || scene.cst.kind(member) != NodeKind::kField || node.has_error == 0) {
+        return false;
+    }
+    const grammar::FieldRow* row = grammar::find_field(block(parent).row, first_word(member));
+    const auto values = node.end_token - node.first_token - 1;
+    return row != nullptr && values > static_cast<std::uint32_t>(grammar::arity(row->type));
+}
+
 std::uint32_t CheckContext::strange_members(BlockNodeId id) const {
     const NodeId parent = node_of(id);
     std::uint32_t count = 0;
@@ -95,7 +97,10 @@ bool CheckContext::explained(BlockNodeId id, std::string_view wanted) const {
     const std::array<std::string_view, 1> candidates = {wanted};
     for (NodeId child = scene.cst.first_child(parent); child.valid();
          child = scene.cst.next_child(parent, child)) {
-        if (!is_strange(id, child)) continue;
+        if (!is_strange(id, child)) {
+            if (has_surplus(id, child)) return true;
+            continue;
+        }
         const NodeKind kind = scene.cst.kind(child);
         if (kind == NodeKind::kStrayValue || kind == NodeKind::kNameless) return true;
         const std::string_view word = first_word(child);

@@ -49,6 +49,9 @@ class CheckContext {
         return scene.tokens.text.substr(span.begin, span.end - span.begin);
     }
 
+    /// The same for messages: cut short if it is long.
+    [[nodiscard]] std::string shown(source::Span span) const;
+
     // --- What has been said already ---
     /// False where a brace or a section is known to be wrong and the contents of `id` may have
     /// gone astray because of it: then "missing", "unused" and counts are guesses.
@@ -85,6 +88,9 @@ class CheckContext {
     }
     /// True if `member`, a child of the block `parent` or of the file, has no meaning there.
     [[nodiscard]] bool is_strange(BlockNodeId parent, NodeId member) const;
+    /// True if `member`, a field of `parent`, has more values than it takes: the last of them may
+    /// be those of another field whose name is missing.
+    [[nodiscard]] bool has_surplus(BlockNodeId parent, NodeId member) const;
 
     source::Diagnostic spare_;
 };

@@ -68,8 +68,8 @@ void check_count(CheckContext& context, BlockNodeId id) {
     auto& diagnostic =
         context.report(kWrongCount, context.span(value.token),
                        fmt::format("'{}' is {}, but {} holds {} {}{}", name,
-                                   context.text(context.span(value.token)), context.name(id), count,
-                                   member, count == 1 ? "" : "s"));
+                                   context.shown(context.span(value.token)), context.name(id),
+                                   count, member, count == 1 ? "" : "s"));
     diagnostic.fixes.push_back({fmt::format("change '{}' to {}", name, count),
                                 true,
                                 {{context.span(value.token), std::to_string(count)}}});

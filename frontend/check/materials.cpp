@@ -3,6 +3,7 @@
 // and across groups, as in the published programs; labels work beside numbers.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "frontend/ast/reporter.hpp"
 #include "frontend/check/checks.hpp"
 #include "frontend/names/suggest.hpp"
 
@@ -79,7 +81,9 @@ const source::DiagnosticCode kUnusedMaterial{"unused-material",
                                              "    Material {\n"
                                              "        diffuseColor 1 0 0\n"
                                              "    }\n"
-                                             "}\n",
+                                             "}\n"
+    "Group {\n"
+    "}\n",
                                              "Remove it if it is the last one (otherwise the "
                                              "numbers of those behind it change), or use it."};
 
@@ -93,6 +97,7 @@ class Resolver {
         context_.scene.material_of_block.assign(context_.ast().blocks.size(),
                                                 CheckedScene::kNoMaterial);
         used_.assign(context_.scene.materials.size(), false);
+        named_ = used_;
         for (std::uint32_t i = 0; i < context_.ast().blocks.size(); ++i) {
             const BlockNode& block = context_.ast().blocks[i];
             if (block.row == grammar::BlockId::kMaterialIndex) {
@@ -153,6 +158,7 @@ class Resolver {
         if (value.number >= 0 && value.number < static_cast<double>(count) &&
             std::floor(value.number) == value.number) {
             current_ = static_cast<std::uint32_t>(value.number);
+            named_[current_] = true;
             return;
         }
         if (!certain_) return;
@@ -162,7 +168,7 @@ class Resolver {
         const source::Span place = context_.span(value.token);
         auto& diagnostic =
             context_.report(kMaterialOutOfRange, place,
-                            fmt::format("there is no material {}", context_.text(place)));
+                            fmt::format("there is no material {}", context_.shown(place)));
         if (count == 0) {
             diagnostic.notes.emplace_back("the scene has no materials");
         } else {
@@ -179,12 +185,13 @@ class Resolver {
         const auto found = by_label_.find(label);
         if (found != by_label_.end()) {
             current_ = found->second;
+            named_[current_] = true;
             return;
         }
         if (!certain_) return;
         const source::Span place = context_.span(value.token);
         auto& diagnostic = context_.report(kUnknownMaterial, place,
-                                           fmt::format("no material is called '{}'", label));
+                                           fmt::format("no material is called {}", quoted(label)));
         const std::string_view near = nearest_name(label, labels_);
         if (!near.empty()) {
             diagnostic.notes.push_back(fmt::format("did you mean '{}'?", near));
@@ -240,9 +247,33 @@ class Resolver {
         }
     }
 
+    /// True if objects may stand where they are not seen: in a block of no known name, or in a
+    /// Group that is missing as a whole.
+    [[nodiscard]] bool objects_may_hide() const {
+        const auto is_group = [this](BlockNodeId root) {
+            return context_.block(root).row == grammar::BlockId::kGroup;
+        };
+        if (std::ranges::none_of(context_.ast().roots, is_group)) return true;
+        if (context_.scene.diagnostics.empty()) return false;
+        return std::ranges::any_of(context_.scene.cst.nodes, [this](const CstNode& node) {
+            const auto kind = static_cast<NodeKind>(node.kind);
+            if (kind == NodeKind::kNameless) return true;
+            if (kind != NodeKind::kBlock || node.has_error == 0) return false;
+            const TokenId name{node.first_token};
+            return grammar::find_block(context_.tokens().text_of(name)) == nullptr;
+        });
+    }
+
     void report_unused() {
         // An index that means nothing may have meant any of them.
         if (!certain_ || !all_resolved_ || first_bare_.valid()) return;
+        // Where an error may have kept an object from being seen, being named is being used.
+        const bool errors =
+            !context_.scene.diagnostics.empty() || context_.count(source::Severity::kError) > 0;
+        if (errors) {
+            for (std::size_t i = 0; i < used_.size(); ++i) used_[i] = used_[i] || named_[i];
+        }
+        if (std::ranges::find(used_, false) == used_.end() || objects_may_hide()) return;
         for (std::size_t i = 0; i < used_.size(); ++i) {
             const BlockNodeId material = context_.scene.materials[i];
             if (used_[i] || context_.block(material).broken) continue;
@@ -259,7 +290,8 @@ class Resolver {
     bool certain_ = true;  ///< the list of materials is what its author meant
     std::unordered_map<std::string_view, std::uint32_t> by_label_;
     std::vector<std::string_view> labels_;
-    std::vector<bool> used_;
+    std::vector<bool> used_;   ///< an object is made of it
+    std::vector<bool> named_;  ///< a MaterialIndex means it
 
     bool any_index_ = false;
     bool all_resolved_ = true;

@@ -66,18 +66,19 @@ bool inside(const grammar::Range& range, double number) {
     return range.high_open ? number < range.high : number <= range.high;
 }
 
-/// "must be above 0 and below 180"
-std::string demand(const grammar::Range& range) {
+/// "must be above 0 and below 180, not 200"
+std::string demand(const grammar::Range& range, std::string_view found) {
     if (range.zero_excluded) return "must not be 0";
     const bool low = range.low > -std::numeric_limits<double>::infinity();
     const bool high = range.high < std::numeric_limits<double>::infinity();
     if (low && high && !range.low_open && !range.high_open) {
-        return fmt::format("must lie between {} and {}", range.low, range.high);
+        return fmt::format("must lie between {} and {}, not {}", range.low, range.high, found);
     }
     std::string text = "must be ";
     if (low) text += fmt::format("{} {}", range.low_open ? "above" : "at least", range.low);
     if (low && high) text += " and ";
     if (high) text += fmt::format("{} {}", range.high_open ? "below" : "at most", range.high);
+    text += fmt::format(", not {}", found);
     return text;
 }
 
@@ -111,12 +112,11 @@ void check_number_ranges(CheckContext& context, BlockNodeId id) {
                                    fmt::format("{} is too large", subject(context, id, row)));
                 diagnostic.notes.push_back("the largest number is 3.4e38, in either direction");
             } else {
-                auto& diagnostic =
-                    context.report(code_for(field.row), place,
-                                   fmt::format("{} {}, not {}", subject(context, id, row),
-                                               demand(row.range), context.text(place)));
+                auto& diagnostic = context.report(
+                    code_for(field.row), place,
+                    subject(context, id, row) + " " + demand(row.range, context.shown(place)));
                 if (!row.unit.empty()) {
-                    diagnostic.notes.push_back(fmt::format("its unit: {}", row.unit));
+                    diagnostic.notes.push_back(fmt::format("unit: {}", row.unit));
                 }
             }
             break;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "frontend/ast/reporter.hpp"
 #include "frontend/check/checks.hpp"
 #include "frontend/check/vectors.hpp"
 
@@ -92,7 +93,7 @@ void check_mesh(CheckContext& context, BlockNodeId id) {
     const std::string_view path = context.tokens().word_of(token);
     if (path.ends_with(".obj")) return;
     context.report(kNotAnObjPath, context.span(token),
-                   fmt::format("'obj_file' must end in .obj, and '{}' does not", path));
+                   fmt::format("'obj_file' must end in .obj, and {} does not", quoted(path)));
 }
 
 void check_box(CheckContext& context, BlockNodeId id) {

@@ -2,9 +2,10 @@
 // Did you mean? Names near to a misspelt word.
 //
 // Two words are near if they differ only in case or in `_` and `-` (`obj_file`, `objFile`), or by
-// few edits in lower case: insertions, deletions, replacements and swaps of neighbouring bytes (the "optimal
-// string alignment" distance), at most one for every three bytes of the shorter word, one at least
-// and three at most. A word shorter than three bytes is near only to its other spellings in case.
+// few edits in lower case: insertions, deletions, replacements and swaps of neighbouring bytes (the
+// "optimal string alignment" distance), at most one for every three bytes of the shorter word, one
+// at least and three at most. A word shorter than three bytes is near only to its other spellings
+// in case.
 #pragma once
 
 #include <cstddef>

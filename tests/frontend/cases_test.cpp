@@ -21,6 +21,15 @@ const std::string kFolder = COBBLE_ROOT "/tests/frontend/cases";
 /// Codes about files come from the loading of assets and have their cases there.
 bool needs_files(const source::DiagnosticCode& code) { return code.code.starts_with("asset-"); }
 
+/// What an example cannot hold, since pages are text of sensible length.
+std::string made_example(std::string_view code) {
+    if (code == "invalid-utf8") return "Group { }\xff";
+    if (code != "too-many-errors") return "";
+    std::string text;
+    for (int i = 0; i < 10002; ++i) text += "} ";
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("every case gives what its expectation says") {
@@ -50,7 +59,7 @@ TEST_CASE("every code is printed by a case") {
         }
     }
     for (const source::DiagnosticCode* code : source::all_codes()) {
-        if (needs_files(*code)) continue;
+        if (needs_files(*code) || code->code == "too-many-errors") continue;
         CAPTURE(code->code);
         CHECK(printed.contains(code->code));
     }
@@ -65,7 +74,8 @@ TEST_CASE("the example of every page shows what the page is about") {
         CHECK(!code->why.empty());
         CHECK(!code->mend.empty());
         if (needs_files(*code)) continue;
-        const auto scene = frontend::check(kSource, code->example);
+        const std::string made = made_example(code->code);
+        const auto scene = frontend::check(kSource, made.empty() ? code->example : made);
         bool shown = false;
         for (const auto& diagnostic : scene.diagnostics) shown |= diagnostic.code == code;
         CHECK(shown);
