@@ -16,42 +16,27 @@ namespace cobble::renderer {
 /// outside (t_min, t_best). The arithmetic of slab_span(), so that it is monotone with it.
 template <bool kParallel, typename T>
 inline void node_spans(const Node<T>& node, const RaySlabs<T>& ray, T t_min, T t_best,
-                       T (&near)[Node<T>::kWidth]) {
-    constexpr std::size_t kWidth = Node<T>::kWidth;
-    T far[kWidth];
-    for (std::size_t k = 0; k < kWidth; ++k) {
-        near[k] = t_min;
-        far[k] = t_best;
-    }
-    bool outside[kWidth] = {};
+                       Lanes<T>& begins) {
+    const Lanes<T> zero{};
+    const Lanes<T> infinity = zero + std::numeric_limits<T>::infinity();
+    Lanes<T> near = zero + t_min;
+    Lanes<T> far = zero + t_best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const T o = ray.origin[axis];
         if constexpr (kParallel) {
             if (ray.parallel[axis]) {
-                for (std::size_t k = 0; k < kWidth; ++k) {
-                    const bool within =
-                        node.bounds[0][axis][k] <= o && o <= node.bounds[1][axis][k];
-                    outside[k] = outside[k] || !within;
-                }
+                near = o < node.bounds[0][axis] ? infinity : near;
+                near = o > node.bounds[1][axis] ? infinity : near;
                 continue;
             }
         }
-        const T inverse = ray.inverse[axis];
-        const T(&first)[kWidth] = node.bounds[ray.negative[axis] ? 1 : 0][axis];
-        const T(&last)[kWidth] = node.bounds[ray.negative[axis] ? 0 : 1][axis];
-        for (std::size_t k = 0; k < kWidth; ++k) {
-            const T a = (first[k] - o) * inverse;
-            const T b = (last[k] - o) * inverse * kFarSlack<T>;
-            near[k] = a > near[k] ? a : near[k];
-            far[k] = b < far[k] ? b : far[k];
-        }
+        const std::size_t first = ray.negative[axis] ? 1 : 0;
+        const Lanes<T> a = (node.bounds[first][axis] - o) * ray.inverse[axis];
+        const Lanes<T> b = (node.bounds[1 - first][axis] - o) * ray.inverse_far[axis];
+        near = a > near ? a : near;
+        far = b < far ? b : far;
     }
-    for (std::size_t k = 0; k < kWidth; ++k) {
-        near[k] = near[k] <= far[k] ? near[k] : std::numeric_limits<T>::infinity();
-        if constexpr (kParallel) {
-            near[k] = outside[k] ? std::numeric_limits<T>::infinity() : near[k];
-        }
-    }
+    begins = near <= far ? near : infinity;
 }
 
 template <typename T>
@@ -74,7 +59,7 @@ void walk(const Tree<T>& tree, const RaySlabs<T>& ray, Search<T>& search, Leaf l
         if (at.count == 0) {
             const Node<T>& node = tree.nodes[at.first];
             search.box_tests += kWidth;
-            T near[kWidth];
+            Lanes<T> near;
             node_spans<kParallel>(node, ray, search.t_min, search.best.t, near);
             // Pushed with the farthest first, so that the nearest is taken next.
             const std::size_t base = waiting;

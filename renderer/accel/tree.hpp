@@ -10,13 +10,28 @@
 
 namespace cobble::renderer {
 
+/// Four numbers, added and compared lane by lane: g++'s and clang's vector extension, which becomes
+/// whatever the target has (SSE2 on x86-64, NEON, WebAssembly's 128 bits), the same bits on all.
+template <typename T>
+struct LanesOf;
+template <>
+struct LanesOf<float> {
+    using type [[gnu::vector_size(16)]] = float;
+};
+template <>
+struct LanesOf<double> {
+    using type [[gnu::vector_size(32)]] = double;
+};
+template <typename T>
+using Lanes = typename LanesOf<T>::type;
+
 /// Four boxes, each an inner node or a leaf; lanes beside each other so that one step tests all.
 /// 128 bytes in float: two cache lines. An empty slot's box is inside out and never met.
 template <typename T>
-struct alignas(16) Node {
+struct Node {
     static constexpr std::size_t kWidth = 4;
 
-    T bounds[2][3][kWidth];       ///< [0]: least, [1]: greatest; axis; child
+    Lanes<T> bounds[2][3];        ///< [0]: least, [1]: greatest; axis; a lane for each child
     std::uint32_t first[kWidth];  ///< inner: index of a node; leaf: of its first primitive
     std::uint8_t count[kWidth];   ///< of the leaf's primitives; 0: inner
     PrimitiveKind kind[kWidth];   ///< of the leaf's primitives: all of one kind

@@ -14,7 +14,8 @@
 
 namespace cobble::renderer {
 
-/// 1 + 2 gamma(3) after Ize, rounded up: gamma(3) is a little above 1.5 epsilon.
+/// Ize's widening of the far end by 2 gamma(3), with one rounding more because it is multiplied
+/// into the inverse: gamma(3) + gamma(4) is a little above 3.5 epsilon.
 template <typename T>
 inline constexpr T kFarSlack = 1 + 4 * std::numeric_limits<T>::epsilon();
 
@@ -22,7 +23,8 @@ inline constexpr T kFarSlack = 1 + 4 * std::numeric_limits<T>::epsilon();
 template <typename T>
 struct RaySlabs {
     math::Vec3<T> origin;
-    math::Vec3<T> inverse;  ///< of the direction; 0 along a parallel axis
+    math::Vec3<T> inverse;      ///< of the direction; 0 along a parallel axis
+    math::Vec3<T> inverse_far;  ///< times kFarSlack
     bool negative[3];
     /// The direction's component is 0, or so small that its inverse is infinite: the box's own
     /// extent decides, by comparison with the origin, never by 0 times infinity.
@@ -34,6 +36,7 @@ struct RaySlabs {
             const T inv = 1 / direction[i];
             parallel[i] = !(std::fabs(inv) <= std::numeric_limits<T>::max());
             inverse[i] = parallel[i] ? T(0) : inv;
+            inverse_far[i] = inverse[i] * kFarSlack<T>;
             negative[i] = !parallel[i] && inv < 0;
             any_parallel = any_parallel || parallel[i];
         }
@@ -57,8 +60,8 @@ Span<T> slab_span(const RaySlabs<T>& ray, const BoxBounds<T>& box) {
             continue;
         }
         const T a = ((ray.negative[i] ? box.hi[i] : box.lo[i]) - ray.origin[i]) * ray.inverse[i];
-        const T b = ((ray.negative[i] ? box.lo[i] : box.hi[i]) - ray.origin[i]) * ray.inverse[i] *
-                    kFarSlack<T>;
+        const T b =
+            ((ray.negative[i] ? box.lo[i] : box.hi[i]) - ray.origin[i]) * ray.inverse_far[i];
         span.near = a > span.near ? a : span.near;
         span.far = b < span.far ? b : span.far;
     }
