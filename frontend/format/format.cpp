@@ -23,8 +23,8 @@ struct Flaw {
 };
 
 /// Why `result` is not the text of `tokens` with other white space, or not the last word on it.
-Flaw find_flaw(const Tokens& tokens, const Cst& cst, const WriteOptions& written,
-               std::int64_t lines_added, std::string_view result) {
+Flaw find_flaw(const Tokens& tokens, const Cst& cst, const Layout& layout,
+               const WriteOptions& written, std::int64_t lines_added, std::string_view result) {
     if (result.size() > kMaxBytes) return {"the result is 4 GiB or larger"};
     const Tokens again = lex(result);
     if (std::string what = token_difference(tokens, again); !what.empty()) return {what};
@@ -36,7 +36,8 @@ Flaw find_flaw(const Tokens& tokens, const Cst& cst, const WriteOptions& written
         if (last < options.first_line) return {};
         options.last_line = static_cast<std::uint32_t>(last);
     }
-    if (!compare(again, lay_out(again, tree), options, result).as_expected) {
+    // The same tokens and tree have the same layout: it need not be made again.
+    if (!compare(again, layout, options, result).as_expected) {
         return {"formatting the result again changes it", true};
     }
     return {};
@@ -60,9 +61,8 @@ FormatResult format(std::string_view text, const FormatOptions& options) {
     const Cst cst = parse(tokens);
     const Layout layout = lay_out(tokens, cst);
     result.has_errors = layout.has_errors;
-    result.text.reserve(text.size() + text.size() / 8);
     const WriteResult written = write(tokens, layout, lines, result.text);
-    Flaw flaw = find_flaw(tokens, cst, lines, written.lines_added, result.text);
+    Flaw flaw = find_flaw(tokens, cst, layout, lines, written.lines_added, result.text);
     if (flaw.what.empty()) return result;
     result.text = text;
     if (result.has_errors && flaw.in_tree) {

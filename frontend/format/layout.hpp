@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where every token goes. Input: tokens and tree. Output: one record for the gap before each token
-// (the last is the end of the file). Invariant: looks at no white space except to keep what stands
-// around broken text, so that laying out a formatted file gives the same records again.
+// (the last is the end of the file). Invariant: looks at no white space, so that the same tokens in
+// the same tree have the same layout.
 #pragma once
 
 #include <cstdint>

@@ -40,8 +40,8 @@ std::string token_difference(const Tokens& before, const Tokens& after) {
     std::size_t comment = 0;
     for (std::uint32_t i = 0; i < before.size(); ++i) {
         const TokenId id{i};
-        const ByteRange old_range = before.range(id);
-        const ByteRange new_range = after.range(id);
+        const ByteRange old_range{before.tokens[i].begin, end_of(before, i)};
+        const ByteRange new_range{after.tokens[i].begin, end_of(after, i)};
         while (comment < before.comments.size() &&
                before.comments[comment].begin < old_range.begin) {
             if (after.comments[comment].begin >= new_range.begin ||

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace cobble::frontend {
 namespace {
@@ -15,15 +16,33 @@ constexpr auto kSpaces = [] {
     return spaces;
 }();
 
+/// Appends to a string that is made long enough beforehand: a formatted file is hardly longer than
+/// its source, and appending piece by piece took half the formatter's time.
 class StringSink {
   public:
-    explicit StringSink(std::string& out) : out_(out) {}
-    void put(std::string_view bytes) { out_.append(bytes); }
-    void put(char c) { out_.push_back(c); }
-    [[nodiscard]] bool as_expected() const { return true; }
+    StringSink(std::string& out, std::size_t expected) : out_(&out), size_(out.size()) {
+        out.resize(size_ + expected);
+    }
+    void put(std::string_view bytes) {
+        if (out_->size() - size_ < bytes.size()) out_->resize(2 * out_->size() + bytes.size());
+        std::memcpy(out_->data() + size_, bytes.data(), bytes.size());
+        size_ += bytes.size();
+    }
+    void put(char c) { put(std::string_view(&c, 1)); }
+    /// Copies all of kSpaces and counts some: a copy of constant size is a few instructions.
+    void put_spaces(std::size_t count) {
+        if (out_->size() - size_ < kSpaces.size()) out_->resize(2 * out_->size() + kSpaces.size());
+        std::memcpy(out_->data() + size_, kSpaces.data(), kSpaces.size());
+        size_ += count;
+    }
+    bool finish() {
+        out_->resize(size_);
+        return true;
+    }
 
   private:
-    std::string& out_;
+    std::string* out_;
+    std::size_t size_;  ///< what is written; the rest of the string is room
 };
 
 class CompareSink {
@@ -37,7 +56,8 @@ class CompareSink {
         }
     }
     void put(char c) { put(std::string_view(&c, 1)); }
-    [[nodiscard]] bool as_expected() const { return equal_ && rest_.empty(); }
+    void put_spaces(std::size_t count) { put(std::string_view(kSpaces.data(), count)); }
+    [[nodiscard]] bool finish() const { return equal_ && rest_.empty(); }
 
   private:
     std::string_view rest_;
@@ -79,7 +99,7 @@ class Writer {
         find_line_end();
         const std::uint32_t count = tokens_.size();
         for (std::uint32_t i = 0; i < count; ++i) {
-            const ByteRange token = tokens_.range({i});
+            const ByteRange token{tokens_.tokens[i].begin, end_of(tokens_, i)};
             const Gap& gap = layout_.gaps[i];
             if (at_comment(token.begin) || !whole_file_ || off_ || ends_line_) {
                 slow_gap(gap, token);
@@ -91,7 +111,7 @@ class Writer {
             ends_line_ = tokens_.kind({i}) == TokenKind::kUnterminatedString;
             at_start_ = false;
         }
-        return {lines_added_, sink_.as_expected()};
+        return {lines_added_, sink_.finish()};
     }
 
   private:
@@ -116,9 +136,7 @@ class Writer {
         position_ = static_cast<std::uint32_t>(end);
     }
 
-    void indent(std::uint8_t level) {
-        sink_.put(std::string_view(kSpaces.data(), level * kIndentWidth));
-    }
+    void indent(std::uint8_t level) { sink_.put_spaces(level * kIndentWidth); }
 
     void new_line() {
         sink_.put(line_end_);
@@ -127,14 +145,42 @@ class Writer {
 
     /// A gap without comments, with formatting on, in a whole file: nearly all of them.
     void fast_gap(const Gap& gap, ByteRange token) {
-        if (gap.kind == GapKind::kSpace) {
-            sink_.put(' ');
-        } else if (gap.kind == GapKind::kVerbatim) {
-            sink_.put(tokens_.text.substr(position_, token.begin - position_));
-        } else if (gap.kind != GapKind::kGlue) {
-            bool first = true;
-            separate(gap, token.begin, first, /*is_token=*/true);
+        switch (gap.kind) {
+            case GapKind::kSpace:
+                sink_.put(' ');
+                return;
+            case GapKind::kGlue:
+                return;
+            case GapKind::kVerbatim:
+                sink_.put(tokens_.text.substr(position_, token.begin - position_));
+                return;
+            case GapKind::kLine:
+                if (!at_start_) {
+                    sink_.put(line_end_);
+                    if (gap.blank_first && gap.blank_last && has_blank_line(token.begin)) {
+                        sink_.put(line_end_);
+                    }
+                    indent(gap.level);
+                    return;
+                }
+                [[fallthrough]];
+            default:
+                bool first = true;
+                separate(gap, token.begin, first, /*is_token=*/true);
         }
+    }
+
+    /// True if more than one line ends between what is written and `end`.
+    [[nodiscard]] bool has_blank_line(std::uint32_t end) const {
+        const std::string_view text = tokens_.text;
+        // A line end, a gap's width of blanks, and no other line end: what most gaps look like.
+        std::uint32_t at = position_;
+        while (at < end && !is_line_end(text[at])) ++at;
+        if (text.substr(at, 2) == "\r\n") ++at;
+        for (++at; at < end; ++at) {
+            if (is_line_end(text[at])) return true;
+        }
+        return false;
     }
 
     void slow_gap(const Gap& gap, ByteRange token) {
@@ -286,7 +332,9 @@ Switch switch_of(std::string_view comment) {
 
 WriteResult write(const Tokens& tokens, const Layout& layout, const WriteOptions& options,
                   std::string& out) {
-    return Writer(tokens, layout, options, StringSink(out)).run();
+    return Writer(tokens, layout, options,
+                  StringSink(out, tokens.text.size() + tokens.text.size() / 8))
+        .run();
 }
 
 WriteResult compare(const Tokens& tokens, const Layout& layout, const WriteOptions& options,

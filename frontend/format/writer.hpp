@@ -34,6 +34,13 @@ WriteResult compare(const Tokens& tokens, const Layout& layout, const WriteOptio
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+/// Where a token ends, without a call for all but the longest ones.
+inline std::uint32_t end_of(const Tokens& tokens, std::uint32_t index) {
+    const Token token = tokens.tokens[index];
+    constexpr std::uint32_t kLongest = (1U << 24U) - 1;
+    return token.length < kLongest ? token.begin + token.length : tokens.range({index}).end;
+}
+
 /// White space of the language.
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }

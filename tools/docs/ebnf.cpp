@@ -75,34 +75,52 @@ std::string write(const Expression& expression) {
     return {};
 }
 
-/// Breaks at blanks outside quotes and angles, further lines indented to the body.
-std::string wrap(const std::string& text, std::size_t indent) {
-    std::string result;
-    std::size_t column = indent;
-    std::size_t word_begin = 0;
+/// The text cut at its blanks outside quotes and angles.
+std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words(1);
     char inside = 0;
-    for (std::size_t i = 0; i <= text.size(); ++i) {
-        const char c = i < text.size() ? text[i] : ' ';
+    for (const char c : text) {
+        if (c == ' ' && inside == 0) {
+            words.emplace_back();
+            continue;
+        }
+        words.back() += c;
         if (inside != 0) {
             if (c == inside) inside = 0;
         } else if (c == '"' || c == '\'') {
             inside = c;
         } else if (c == '<') {
             inside = '>';
-        } else if (c == ' ') {
-            const std::size_t length = i - word_begin;
-            if (column + 1 + length > kColumns && column > indent) {
-                result.push_back('\n');
-                result.append(indent, ' ');
-                column = indent;
-            } else if (word_begin > 0) {
-                result += ' ';
-                ++column;
-            }
-            result.append(text, word_begin, length);
-            column += length;
-            word_begin = i + 1;
         }
+    }
+    return words;
+}
+
+/// Fills lines up to kColumns, further ones indented; a new one begins at a `|` rather than within
+/// an alternative.
+std::string wrap(const std::string& text, std::size_t indent) {
+    std::vector<std::string> pieces;
+    for (std::string& word : words_of(text)) {
+        if (pieces.empty() || word == "|") {
+            pieces.push_back(std::move(word));
+        } else {
+            pieces.back() += ' ';
+            pieces.back() += word;
+        }
+    }
+    std::string result;
+    std::size_t column = indent;
+    for (const std::string& piece : pieces) {
+        if (column > indent && column + 1 + piece.size() > kColumns) {
+            result += '\n';
+            result.append(indent, ' ');
+            column = indent;
+        } else if (column > indent) {
+            result += ' ';
+            ++column;
+        }
+        result += piece;
+        column += piece.size();
     }
     return result;
 }

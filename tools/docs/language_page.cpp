@@ -134,26 +134,31 @@ void add_block(std::string& page, const grammar::BlockRow& row, const ExampleSou
     }
 }
 
-std::string_view part_of(grammar::Role role) {
+/// The heading under which a block stands. No heading is a block's name, so that links are clear.
+std::string_view part_of(const grammar::BlockRow& row) {
     using enum grammar::Role;
-    switch (role) {
+    switch (row.role) {
         case kCamera:
-            return "Camera";
+            return "The view";
         case kSection:
-            return "Sections";
+            // A section stands with what it holds.
+            for (const grammar::BlockRow& child : grammar::blocks()) {
+                if (grammar::may_stand_in(child.id, row.id)) return part_of(child);
+            }
+            return "Surroundings";
         case kLight:
-            return "Lights";
+            return "Light sources";
         case kMaterial:
         case kNoise:
-            return "Materials";
+            return "Surfaces";
         case kGroup:
         case kMaterialIndex:
         case kObject:
-            return "Objects";
+            return "Objects and groups";
         case kTransform:
         case kMove:
         case kMotion:
-            return "Transforms";
+            return "Placing and moving";
     }
     return {};
 }
@@ -222,9 +227,7 @@ Page language_page(const ExampleSource& examples) {
     Page page{"grammar/LANGUAGE.md", std::string(kIntroduction)};
     std::string_view part;
     for (const grammar::BlockRow& row : grammar::blocks()) {
-        // Sections stand beside what they hold, so they do not begin a part of their own.
-        const std::string_view next =
-            row.role == grammar::Role::kSection ? row.name : part_of(row.role);
+        const std::string_view next = part_of(row);
         if (next != part) {
             part = next;
             fmt::format_to(std::back_inserter(page.text), "## {}\n\n", part);
