@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "frontend/source/diagnostic.hpp"
 #include "tools/docs/pages.hpp"
 
 namespace {
@@ -34,6 +35,18 @@ std::vector<fs::path> leftovers(const fs::path& root,
     return result;
 }
 
+/// Two codes of one name would hide each other.
+int count_repeated_codes() {
+    const auto codes = cobble::source::all_codes();
+    int repeated = 0;
+    for (std::size_t i = 1; i < codes.size(); ++i) {
+        if (codes[i]->code != codes[i - 1]->code) continue;
+        ++repeated;
+        fmt::print(stderr, "the diagnostic code {} is declared twice\n", codes[i]->code);
+    }
+    return repeated;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,6 +59,7 @@ int main(int argc, char** argv) {
             root = argv[i];
         }
     }
+    if (count_repeated_codes() > 0) return 1;
     const auto examples = [](std::string_view name) {
         return read(fs::path(COBBLE_ROOT) / "tools/docs/examples" / (std::string(name) + ".scene"));
     };
