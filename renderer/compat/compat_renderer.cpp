@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/compat/compat_renderer.hpp"
+
+#include "ir/math/elementary.hpp"
+#include "renderer/compat/camera.hpp"
+#include "renderer/compat/filter.hpp"
+#include "renderer/compat/trace.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+/// Rays through the lens for each sample of a picture with -blurry.
+constexpr std::uint32_t kLensRays = 16;
+
+std::uint32_t rays_per_sample(const CompatRules& rules) { return rules.focus ? kLensRays : 1; }
+
+/// The finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): every bit depends on all.
+constexpr std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebU;
+    return x ^ x >> 31;
+}
+
+/// In [0, 1), by sample of the high-resolution picture, ray through the lens, and use.
+double uniform(std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t ray,
+               std::uint32_t use) {
+    constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15U;  // 2^64 over the golden ratio
+    std::uint64_t state = mixed(seed + kStep);
+    state = mixed(state + kStep + (std::uint64_t{y} << 32 | x));
+    state = mixed(state + kStep + (std::uint64_t{use} << 32 | ray));
+    return static_cast<double>(state >> 11) * 0x1p-53;
+}
+
+enum Use : std::uint32_t { kJitterX, kJitterY, kLensRadius, kLensAngle };
+
+/// A tile on its way: samples 0 to `next` are there, and the next one perhaps half.
+class PausedTile : public PausedPixel {
+  public:
+    PausedTile(const CompatRules& rules, const Settings& settings, const Tile& tile)
+        : grid(rules, settings.width, settings.height, tile.x0, tile.y0, tile.x1, tile.y1) {}
+
+    SampleGrid grid;
+    std::uint64_t next = 0;
+    std::uint32_t lens_ray = 0;
+    ir::Color lens_sum;
+    bool tracing = false;
+    CompatTrace trace;
+};
+
+class CompatRenderer : public TileRenderer {
+  public:
+    CompatRenderer(const ir::Scene& scene, const PreparedScene<double>& prepared,
+                   const Settings& settings)
+        : settings_(settings),
+          scene_{&scene, &prepared, rules_of(scene.compat, settings)},
+          camera_(scene.camera, scene_.rules, settings.width, settings.height) {}
+
+    void render_tile(TileWork& work, Film& film, StopCheck& stop) const override {
+        if (work.done()) return;
+        if (!work.paused) {
+            work.paused = std::make_unique<PausedTile>(scene_.rules, settings_, work.tile);
+        }
+        auto& state = static_cast<PausedTile&>(*work.paused);
+        while (!work.done()) {
+            const std::uint32_t y = work.tile.y(work.next_pixel);
+            const std::uint64_t needed = state.grid.needed_for_row(y);
+            while (state.next < needed) {
+                if (stop(work.counters.box_tests + work.counters.primitive_tests)) return;
+                advance(state, work);
+            }
+            finish_pixel(state, work, film);
+        }
+        work.paused.reset();
+    }
+
+  private:
+    /// One ray more of the sample that is due.
+    void advance(PausedTile& state, TileWork& work) const {
+        const std::uint32_t x = state.grid.x(state.next);
+        const std::uint32_t y = state.grid.y(state.next);
+        if (!state.tracing) {
+            start_ray(state, x, y);
+            ++work.counters.camera_rays;
+        }
+        state.trace.step(scene_, work.counters);
+        state.tracing = !state.trace.done();
+        if (state.tracing) return;
+        if (is_finite(state.trace.color())) {
+            state.lens_sum += state.trace.color();
+        } else {
+            report(state, work, x / scene_.rules.grid, y / scene_.rules.grid);
+        }
+        const std::uint32_t rays = rays_per_sample(scene_.rules);
+        if (++state.lens_ray < rays) return;
+        state.grid.set(state.next, state.lens_sum / static_cast<double>(rays));
+        state.lens_sum = {};
+        state.lens_ray = 0;
+        ++state.next;
+    }
+
+    void start_ray(PausedTile& state, std::uint32_t x, std::uint32_t y) const {
+        const auto random = [&](std::uint32_t ray, Use use) {
+            return uniform(settings_.seed, x, y, ray, use);
+        };
+        double dx = 0;
+        double dy = 0;
+        if (scene_.rules.jitter) {
+            dx = random(0, kJitterX) - 0.5;
+            dy = random(0, kJitterY) - 0.5;
+        }
+        const math::Vec3d direction = camera_.direction(x, y, dx, dy);
+        CompatCamera::Ray ray = camera_.ray(direction);
+        if (scene_.rules.focus) {
+            const double radius = std::sqrt(random(state.lens_ray, kLensRadius));
+            const math::SinCos angle =
+                math::sincos(2 * math::kPi * random(state.lens_ray, kLensAngle));
+            ray = camera_.lens_ray(direction, radius * angle.cos, radius * angle.sin);
+        }
+        state.trace.start(scene_, ray.origin, ray.direction);
+    }
+
+    /// Only a tile that owns the pixel reports it: samples around a tile are computed twice.
+    void report(const PausedTile& state, TileWork& work, std::uint32_t x, std::uint32_t y) const {
+        const Tile& tile = work.tile;
+        if (x < tile.x0 || x >= tile.x1 || y < tile.y0 || y >= tile.y1) return;
+        BadSample bad{x, y, state.lens_ray, {}};
+        const ir::ObjectId object = state.trace.first_object();
+        if (object.valid()) bad.span = scene_.scene->objects[object.value].span;
+        work.report(bad);
+    }
+
+    void finish_pixel(const PausedTile& state, TileWork& work, Film& film) const {
+        const std::uint32_t x = work.tile.x(work.next_pixel);
+        const std::uint32_t y = work.tile.y(work.next_pixel);
+        Pixel pixel;
+        pixel.color = state.grid.pixel(x, y);
+        pixel.samples = scene_.rules.grid * scene_.rules.grid * rays_per_sample(scene_.rules);
+        if (settings_.want_depth || settings_.want_normals || settings_.want_albedo) {
+            add_first_hit(x, y, pixel, work.counters);
+        }
+        film.set_pixel(x, y, pixel);
+        work.samples_done += pixel.samples;
+        ++work.next_pixel;
+    }
+
+    /// Depth and normals are those at the pixel's place in the plain picture, whatever the grid.
+    void add_first_hit(std::uint32_t x, std::uint32_t y, Pixel& pixel, Counters& counters) const {
+        CompatRules plain = scene_.rules;
+        plain.grid = 1;
+        const CompatCamera camera(scene_.scene->camera, plain, settings_.width, settings_.height);
+        const CompatCamera::Ray ray = camera.ray(camera.direction(x, y, 0, 0));
+        const CompatFirstHit first = compat_first_hit(scene_, ray.origin, ray.direction, counters);
+        ++counters.camera_rays;
+        if (!first.hit) return;
+        pixel.depth = first.distance;
+        pixel.normal = first.normal;
+        pixel.albedo = first.albedo;
+    }
+
+    Settings settings_;
+    CompatScene scene_;
+    CompatCamera camera_;
+};
+
+}  // namespace
+
+std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene,
+                                                   const PreparedScene<double>& prepared,
+                                                   const Settings& settings) {
+    return std::make_unique<CompatRenderer>(scene, prepared, settings);
+}
+
+std::uint32_t compat_samples_per_pixel(const ir::Scene& scene, const Settings& settings) {
+    const CompatRules rules = rules_of(scene.compat, settings);
+    return rules.grid * rules.grid * rays_per_sample(rules);
+}
+
+}  // namespace cobble::renderer
