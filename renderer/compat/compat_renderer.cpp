@@ -5,6 +5,7 @@
 #include "renderer/compat/camera.hpp"
 #include "renderer/compat/filter.hpp"
 #include "renderer/compat/trace.hpp"
+#include "renderer/scene/prepared_scene.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -49,11 +50,13 @@ class PausedTile : public PausedPixel {
 
 class CompatRenderer : public TileRenderer {
   public:
-    CompatRenderer(const ir::Scene& scene, const PreparedScene<double>& prepared,
-                   const Settings& settings)
+    CompatRenderer(const ir::Scene& scene, const Settings& settings)
         : settings_(settings),
-          scene_{&scene, &prepared, rules_of(scene.compat, settings)},
+          prepared_(prepare<double>(scene, {settings.acceleration, true})),
+          scene_{&scene, &prepared_, rules_of(scene.compat, settings)},
           camera_(scene.camera, scene_.rules, settings.width, settings.height) {}
+
+    [[nodiscard]] std::uint64_t bytes() const { return prepared_.bytes(); }
 
     void render_tile(TileWork& work, Film& film, StopCheck& stop) const override {
         if (work.done()) return;
@@ -158,16 +161,18 @@ class CompatRenderer : public TileRenderer {
     }
 
     Settings settings_;
+    PreparedScene<double> prepared_;
     CompatScene scene_;
     CompatCamera camera_;
 };
 
 }  // namespace
 
-std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene,
-                                                   const PreparedScene<double>& prepared,
-                                                   const Settings& settings) {
-    return std::make_unique<CompatRenderer>(scene, prepared, settings);
+std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene, const Settings& settings,
+                                                   std::uint64_t& bytes) {
+    auto renderer = std::make_unique<CompatRenderer>(scene, settings);
+    bytes = renderer->bytes();
+    return renderer;
 }
 
 std::uint32_t compat_samples_per_pixel(const ir::Scene& scene, const Settings& settings) {

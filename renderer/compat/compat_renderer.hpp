@@ -15,19 +15,17 @@
 
 #include "ir/scene/scene.hpp"
 #include "renderer/job/tile_renderer.hpp"
-#include "renderer/scene/prepared_scene.hpp"
 #include "renderer/settings.hpp"
 
 namespace cobble::renderer {
 
-/// `scene.compat` is not kNone; `scene` and `prepared` (of it, with texture coordinates) must
-/// outlive the renderer. Of the settings it reads the size, bounces, seed, which planes are wanted,
-/// and Settings::Compat; effects and samples are the program's own. A tile that needs its
-/// neighbours' samples (-filter) computes them itself, so that tiles do not matter. Memory while a
-/// tile is on its way: 24 bytes a sample, 3x3 a pixel at most.
-std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene,
-                                                   const PreparedScene<double>& prepared,
-                                                   const Settings& settings);
+/// `scene.compat` is not kNone; `scene` must outlive the renderer. Of the settings it reads the
+/// size, bounces, seed, acceleration, which planes are wanted, and Settings::Compat; effects and
+/// samples are the program's own. A tile that needs its neighbours' samples (-filter) computes them
+/// itself, so that tiles do not matter. Memory while a tile is on its way: 24 bytes a sample, 3x3 a
+/// pixel at most. `bytes`: of the prepared scene.
+std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene, const Settings& settings,
+                                                   std::uint64_t& bytes);
 
 /// Samples that one pixel counts as in TileWork::samples_done: 9 with jitter or filter, else 1, and
 /// 16 times that with a lens.

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "renderer/compat/compat_renderer.hpp"
 #include "renderer/film/film.hpp"
 #include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/job/fp_environment.hpp"
@@ -87,7 +88,10 @@ class Job final : public RenderJob {
           totals_(scheduler.workers()) {
         std::uint64_t pixels = 0;
         for (const Tile& tile : tiles_) pixels += tile.pixels();
-        all_samples_ = pixels * std::max(settings.samples, 1U);
+        const std::uint32_t samples = scene.compat == ir::Compat::kNone
+                                          ? std::max(settings.samples, 1U)
+                                          : compat_samples_per_pixel(scene, settings);
+        all_samples_ = pixels * samples;
         if (tiles_.empty()) complete_ = true;
     }
 
@@ -128,9 +132,13 @@ class Job final : public RenderJob {
     void prepare_all() {
         const FpEnvironment environment;
         const Clock::time_point start = Clock::now();
-        renderer_ = settings_.precision == Precision::kDouble
-                        ? prepare_renderer<double>(*scene_, settings_, bytes_)
-                        : prepare_renderer<float>(*scene_, settings_, bytes_);
+        if (scene_->compat != ir::Compat::kNone) {
+            renderer_ = make_compat_renderer(*scene_, settings_, bytes_);
+        } else {
+            renderer_ = settings_.precision == Precision::kDouble
+                            ? prepare_renderer<double>(*scene_, settings_, bytes_)
+                            : prepare_renderer<float>(*scene_, settings_, bytes_);
+        }
         bytes_ += bytes_of_images(*scene_);
         prepare_seconds_ = seconds_since(start);
     }
