@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <cstring>
+#include <algorithm>
 
 #include "frontend/lex/tokens.hpp"
 #include "frontend/source/utf8.hpp"
@@ -61,21 +61,8 @@ struct Action<lexical::comment> {
     }
 };
 
-// Eight bytes at a time: scenes are ASCII nearly always.
-bool is_ascii(std::string_view text) {
-    std::uint64_t seen = 0;
-    std::size_t i = 0;
-    for (; i + 8 <= text.size(); i += 8) {
-        std::uint64_t eight = 0;
-        std::memcpy(&eight, text.data() + i, 8);
-        seen |= eight;
-    }
-    for (; i < text.size(); ++i) seen |= static_cast<unsigned char>(text[i]);
-    return (seen & 0x8080808080808080U) == 0;
-}
-
 void find_invalid_utf8(std::string_view text, std::vector<std::uint32_t>& invalid) {
-    if (is_ascii(text)) return;
+    if (source::is_ascii(text)) return;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = source::utf8_length(text.substr(at));
         if (length == 0) invalid.push_back(static_cast<std::uint32_t>(at));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "frontend/source/utf8.hpp"
 
+#include <cstdint>
+#include <cstring>
+
 namespace cobble::source {
 
 std::size_t utf8_length(std::string_view text) {
@@ -24,6 +27,18 @@ std::size_t utf8_length(std::string_view text) {
         return continues(1) && continues(2) && continues(3) && !overlong && !too_large ? 4 : 0;
     }
     return 0;
+}
+
+bool is_ascii(std::string_view text) {
+    std::uint64_t seen = 0;
+    std::size_t i = 0;
+    for (; i + 8 <= text.size(); i += 8) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, text.data() + i, 8);
+        seen |= eight;
+    }
+    for (; i < text.size(); ++i) seen |= static_cast<unsigned char>(text[i]);
+    return (seen & 0x8080808080808080U) == 0;
 }
 
 }  // namespace cobble::source

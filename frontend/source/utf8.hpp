@@ -12,4 +12,7 @@ namespace cobble::source {
 /// so for an empty text too).
 std::size_t utf8_length(std::string_view text);
 
+/// True if all bytes are below 0x80. Cost: eight bytes at a time.
+bool is_ascii(std::string_view text);
+
 }  // namespace cobble::source
