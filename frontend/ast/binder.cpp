@@ -124,7 +124,7 @@ class Binder {
                 levels_.push_back(level_of(id, {}, nullptr, true));
                 break;
             case NodeKind::kStrayClose:
-                report_extra_brace(node, reporter_);
+                report_extra_brace(node, place_name(), reporter_);
                 bound_.ast.structure_broken = true;
                 break;
             case NodeKind::kStrayValue:

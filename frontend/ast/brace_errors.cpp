@@ -107,10 +107,12 @@ void report_missing_braces(const Cst& cst, NodeId id, Reporter& reporter) {
     finding.fixes.push_back({both ? "insert the braces" : "insert '{'", true, std::move(edits)});
 }
 
-void report_extra_brace(const CstNode& node, Reporter& reporter) {
+void report_extra_brace(const CstNode& node, std::string_view where, Reporter& reporter) {
     const TokenId brace{node.first_token};
-    Diagnostic& finding =
-        reporter.add(kExtraBrace, brace, "this '}' has no '{' that it could close");
+    Diagnostic& finding = reporter.add(
+        kExtraBrace, brace,
+        where.empty() ? std::string("this '}' has no '{' that it could close")
+                      : fmt::format("this '}}' is one too many, {} goes on after it", where));
     finding.fixes.push_back({"remove '}'", true, {{reporter.span(brace), ""}}});
 }
 

@@ -2,6 +2,8 @@
 // Findings about braces, and about what stands outside every field.
 #pragma once
 
+#include <string_view>
+
 #include "frontend/ast/reporter.hpp"
 #include "frontend/parse/cst.hpp"
 
@@ -11,8 +13,8 @@ namespace cobble::frontend {
 /// missing.
 void report_missing_braces(const Cst& cst, NodeId block, Reporter& reporter);
 
-/// A } that closes nothing.
-void report_extra_brace(const CstNode& node, Reporter& reporter);
+/// A } that closes nothing, or stands in the middle of the block `where`.
+void report_extra_brace(const CstNode& node, std::string_view where, Reporter& reporter);
 
 /// { ... } without a name.
 void report_nameless(const CstNode& node, Reporter& reporter);
