@@ -74,7 +74,7 @@ def write_meshes(folder):
     world = village.build()
     for name, text in (
             ("knot", meshes.torus_knot()), ("vase", meshes.vase()), ("gem", meshes.gem()),
-            ("column", meshes.spring_column()), ("lamp", models.lamp()), ("boat", models.boat()),
+            ("column", meshes.twisted_column()), ("lamp", models.lamp()), ("boat", models.boat()),
             ("grass_block", models.grass_block()),
             ("village_land", world.mesh(lambda block: block != "water")),
             ("village_water", world.mesh(lambda block: block == "water", inset=0.12))):

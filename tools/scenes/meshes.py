@@ -99,14 +99,13 @@ def gem(sides=8):
     return "\n".join(lines) + "\n"
 
 
-def spring_column(columns=40, rows=60):
-    """A fluted, twisted column of height 2: sharp creases beside smooth parts."""
+def twisted_column(columns=64, rows=60):
+    """A fluted, twisted column of height 2: eight sharp creases between smooth parts."""
 
     def point(s, t):
         a = -2 * math.pi * s
-        flute = 0.08 * abs(math.sin(4 * (a + 2.2 * t)))
-        bulge = 0.06 * math.sin(math.pi * t)
-        r = 0.34 + flute + bulge
-        return (r * math.cos(a), 2 * t, r * math.sin(a))
+        flute = 0.08 * abs(math.sin(4 * a))  # its edges lie on columns of the grid
+        r = 0.34 + flute + 0.06 * math.sin(math.pi * t)
+        return (r * math.cos(a - 2.2 * t), 2 * t, r * math.sin(a - 2.2 * t))
 
     return _grid(columns, rows, point, True, False)

@@ -66,12 +66,12 @@ def night(d):
     sky = mix(sky, (64, 66, 110), 0.5 * milky * (d[1] > 0))
     cell = 60
     i, j, k = (math.floor(c * cell) for c in d)
-    if d[1] > 0.02 and hash01(i, j, k, 17) > 0.985 - 0.01 * milky:
+    if d[1] > 0.02 and hash01(i, j, k, 17) > 0.962 - 0.03 * milky:
         center = tuple((c + 0.2 + 0.6 * hash01(i, j, k, 18 + n)) / cell for n, c in enumerate((i, j, k)))
         near = math.dist(center, d) * cell
         bright = 0.35 + 0.65 * hash01(i, j, k, 22)
         sky = mix(sky, (235, 238, 255), bright * max(0.0, 1 - near / 0.28) ** 0.7)
-    moon = unit((-0.42, 0.5, -0.76))
+    moon = unit((0.20, 0.21, -0.90))
     right = unit((moon[2], 0.0, -moon[0]))
     above = tuple(a * b2 - c * b1 for a, b2, c, b1 in (
         (moon[1], right[2], moon[2], right[1]),
@@ -81,7 +81,7 @@ def night(d):
     if toward > 0:
         x = sum(a * b for a, b in zip(d, right)) / toward
         y = sum(a * b for a, b in zip(d, above)) / toward
-        size = 0.075
+        size = 0.055
         if abs(x) < size and abs(y) < size:  # a square moon, as in any world of blocks
             px, py = int((x / size + 1) * 4), int((y / size + 1) * 4)
             return tuple(c * (0.86 + 0.14 * hash01(px, py, 29)) for c in (236, 240, 250))

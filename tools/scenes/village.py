@@ -187,8 +187,6 @@ def well(world, x, z):
     world.set(x + 1, y + 5, z + 1, "slate")
 
 
-LAMPS = [(27, 34), (33, 34), (33, 27), (24, 41), (39, 36), (22, 27)]
-
 
 def build():
     world = World()
@@ -215,8 +213,7 @@ def build():
             (24, 12, "leaves", 5), (49, 29, "leaves", 4), (10, 47, "blossom", 4),
             (36, 10, "leaves", 4), (46, 11, "leaves", 5), (2, 38, "leaves", 4)):
         tree(world, x, z, kind, height)
-    for x, z, block in ((31, 41, "hay"), (32, 41, "hay"), (40, 26, "jack"), (41, 26, "pumpkin"),
-                        (31, 45, "pumpkin"), (33, 33, "bookshelf")):
+    for x, z, block in ((32, 44, "hay"), (33, 44, "hay"), (29, 38, "jack"), (30, 38, "pumpkin"),
+                        (33, 46, "pumpkin"), (32, 45, "hay"), (32, 44, "hay")):
         world.set(x, world.top(x, z) + 1, z, block)
-    world.set(31, world.top(31, 41) + 1, 41, "hay")
     return world
