@@ -196,4 +196,25 @@ void check_duplicate_arguments(CheckContext& context, BlockNodeId id) {
     }
 }
 
+void check_repeated_noise(CheckContext& context, BlockNodeId id) {
+    BlockNodeId before;
+    for (const BlockNodeId child : context.ast().children_of(id)) {
+        if (context.block(child).row != grammar::BlockId::kNoise) continue;
+        if (before.valid()) {
+            auto& diagnostic = context.report(
+                kOverriddenArgument, context.name_span(child),
+                fmt::format("Noise of {} is given again and replaces the earlier one",
+                            context.name(id)));
+            diagnostic.related.push_back({context.name_span(before), "this Noise has no effect"});
+            if (!context.block(child).broken) {
+                diagnostic.fixes.push_back(
+                    {"remove the earlier Noise",
+                     true,
+                     {{context.removal_span(context.block(before).cst), ""}}});
+            }
+        }
+        before = child;
+    }
+}
+
 }  // namespace cobble::frontend

@@ -82,8 +82,8 @@ const source::DiagnosticCode kUnusedMaterial{"unused-material",
                                              "        diffuseColor 1 0 0\n"
                                              "    }\n"
                                              "}\n"
-    "Group {\n"
-    "}\n",
+                                             "Group {\n"
+                                             "}\n",
                                              "Remove it if it is the last one (otherwise the "
                                              "numbers of those behind it change), or use it."};
 
@@ -192,7 +192,7 @@ class Resolver {
         const source::Span place = context_.span(value.token);
         auto& diagnostic = context_.report(kUnknownMaterial, place,
                                            fmt::format("no material is called {}", quoted(label)));
-        const std::string_view near = nearest_name(label, labels_);
+        const std::string_view near = suggestion(label);
         if (!near.empty()) {
             diagnostic.notes.push_back(fmt::format("did you mean '{}'?", near));
             diagnostic.fixes.push_back(
@@ -200,6 +200,12 @@ class Resolver {
         } else if (labels_.empty()) {
             diagnostic.notes.emplace_back("no material has a label");
         }
+    }
+
+    std::string_view suggestion(std::string_view label) {
+        if (labels_.size() > comparisons_left_) return {};
+        comparisons_left_ -= labels_.size();
+        return nearest_name(label, labels_);
     }
 
     void use_material(BlockNodeId id) {
@@ -290,6 +296,9 @@ class Resolver {
     bool certain_ = true;  ///< the list of materials is what its author meant
     std::unordered_map<std::string_view, std::uint32_t> by_label_;
     std::vector<std::string_view> labels_;
+    /// Suggestions end when this many labels have been looked at, which takes about 0.1 s:
+    /// thousands of unknown labels against thousands of known ones would take minutes.
+    std::size_t comparisons_left_ = 1000000;
     std::vector<bool> used_;   ///< an object is made of it
     std::vector<bool> named_;  ///< a MaterialIndex means it
 

@@ -3,7 +3,7 @@
 // the file, leave their finding in place or add another. Invariant: nothing but fixes changes.
 //
 // Each fix costs one more check of the whole file, so there is a budget: at most 100 fixes of a
-// file and 16 MB of text checked again (about a tenth of a second); a fix beyond it, and every fix
+// file and 4 MB of text checked again (about a tenth of a second); a fix beyond it, and every fix
 // of a file above 4 MB, is dropped unseen.
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace cobble::frontend {
 
 inline constexpr std::size_t kMostVerifications = 100;
-inline constexpr std::size_t kMostVerifiedBytes = std::size_t{16} << 20;
+inline constexpr std::size_t kMostVerifiedBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kLargestVerifiedFile = std::size_t{4} << 20;
 
 void verify_fixes(CheckedScene& scene);
