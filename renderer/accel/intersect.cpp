@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/accel/intersect.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "renderer/accel/query.hpp"
@@ -10,9 +11,9 @@ namespace cobble::renderer {
 
 namespace {
 
-template <typename T>
-Search<T> begin(const Ray<T>& ray, const Exclude& exclude) {
-    Search<T> search;
+template <bool kAll, typename T>
+Search<T, kAll> begin(const Ray<T>& ray, const Exclude& exclude) {
+    Search<T, kAll> search;
     constexpr T kMost = std::numeric_limits<T>::max();
     search.best.t = ray.t_max < kMost ? ray.t_max : kMost;
     search.t_min = ray.t_min;
@@ -28,9 +29,9 @@ void finish(const Search<T>& search, Counters& counters) {
 }
 
 /// Primitives [first, first + count) of one kind in the world. `stop` ends it between primitives.
-template <typename T, typename VisitMesh, typename Stop>
+template <typename T, bool kAll, typename VisitMesh, typename Stop>
 void test_range(const Geometry<T>& g, const RayForms<T>& ray, PrimitiveKind kind, std::size_t first,
-                std::size_t count, Search<T>& search, VisitMesh visit_mesh, Stop stop) {
+                std::size_t count, Search<T, kAll>& search, VisitMesh visit_mesh, Stop stop) {
     for (std::size_t i = first; i < first + count && !stop(); ++i) {
         switch (kind) {
             case PrimitiveKind::kTriangle: {
@@ -64,17 +65,18 @@ void test_range(const Geometry<T>& g, const RayForms<T>& ray, PrimitiveKind kind
     }
 }
 
-template <typename T>
+template <typename T, bool kAll>
 void test_mesh_range(const PlacedMesh<T>& mesh, const RayForms<T>& ray, ir::ObjectId object,
-                     std::size_t first, std::size_t count, Search<T>& search) {
+                     std::size_t first, std::size_t count, Search<T, kAll>& search) {
     for (std::size_t i = first; i < first + count; ++i) {
         const auto& t = mesh.triangles[i];
         test_triangle(ray, t.vertices, object, t.face, search);
     }
 }
 
-template <typename T, typename Stop>
-void search_everything(const Geometry<T>& g, const RayForms<T>& ray, Search<T>& search, Stop stop) {
+template <typename T, bool kAll, typename Stop>
+void search_everything(const Geometry<T>& g, const RayForms<T>& ray, Search<T, kAll>& search,
+                       Stop stop) {
     const auto visit_mesh = [&](const PlacedMesh<T>& mesh, const RayForms<T>& inside,
                                 ir::ObjectId object) {
         test_mesh_range(mesh, inside, object, 0, mesh.triangles.size(), search);
@@ -113,7 +115,7 @@ template <bool kAny, bool kTree, typename T>
 Hit<T> run(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude,
            Counters& counters) {
     const Geometry<T>& g = scene.geometry;
-    Search<T> search = begin(ray, exclude);
+    Search<T> search = begin<false>(ray, exclude);
     const RayForms<T> forms(ray.origin, ray.direction);
     const auto stop = [&search] { return kAny && search.best.object.valid(); };
     // Planes first: what they hide need not be looked for.
@@ -161,6 +163,24 @@ bool any_hit_brute_force(const PreparedScene<T>& scene, const Ray<T>& ray, const
     return run<true, false>(scene, ray, exclude, counters).object.valid();
 }
 
+template <typename T>
+std::vector<Hit<T>> enumerate_hits(const PreparedScene<T>& scene, const Ray<T>& ray) {
+    const Geometry<T>& g = scene.geometry;
+    std::vector<Hit<T>> hits;
+    auto search = begin<true>(ray, Exclude{});
+    search.all = &hits;
+    search.rule = EdgeRule::kHalfOpen;
+    const RayForms<T> forms(ray.origin, ray.direction);
+    for (const MovingPrimitive& plane : g.planes) test_plane(g, forms, plane, search);
+    search_everything(g, forms, search, [] { return false; });
+    std::sort(hits.begin(), hits.end(), [](const Hit<T>& a, const Hit<T>& b) {
+        if (a.t != b.t) return a.t < b.t;
+        if (a.object != b.object) return a.object < b.object;
+        return a.face < b.face;
+    });
+    return hits;
+}
+
 #define COBBLE_INSTANTIATE(T)                                                                 \
     template Hit<T> closest_hit(const PreparedScene<T>&, const Ray<T>&, const Exclude&,       \
                                 Counters&);                                                   \
@@ -168,7 +188,8 @@ bool any_hit_brute_force(const PreparedScene<T>& scene, const Ray<T>& ray, const
     template Hit<T> closest_hit_brute_force(const PreparedScene<T>&, const Ray<T>&,           \
                                             const Exclude&, Counters&);                       \
     template bool any_hit_brute_force(const PreparedScene<T>&, const Ray<T>&, const Exclude&, \
-                                      Counters&);
+                                      Counters&);                                             \
+    template std::vector<Hit<T>> enumerate_hits(const PreparedScene<T>&, const Ray<T>&);
 COBBLE_INSTANTIATE(float)
 COBBLE_INSTANTIATE(double)
 #undef COBBLE_INSTANTIATE

@@ -7,8 +7,11 @@
 // spans no less, and a node is left out only if it begins strictly beyond the best t: the tree's
 // answer equals that of testing everything, bit for bit.
 //
-// All functions are defined for float and double; reentrant; none allocates, locks or throws.
+// All functions are defined for float and double and reentrant; but for enumerate_hits() none
+// allocates, locks or throws.
 #pragma once
+
+#include <vector>
 
 #include "renderer/geometry/hit.hpp"
 #include "renderer/geometry/ray.hpp"
@@ -35,5 +38,12 @@ Hit<T> closest_hit_brute_force(const PreparedScene<T>& scene, const Ray<T>& ray,
 template <typename T>
 bool any_hit_brute_force(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude,
                          Counters& counters);
+
+/// All hits in the ray's interval in (t, object, face) order, of one unmoved ray. Edges are
+/// half-open here: a ray through an edge or a vertex of a closed mesh crosses each sheet of it
+/// once, so that crossings can be counted. Spheres and boxes give both their ends. Slow; it
+/// allocates.
+template <typename T>
+std::vector<Hit<T>> enumerate_hits(const PreparedScene<T>& scene, const Ray<T>& ray);
 
 }  // namespace cobble::renderer

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "renderer/geometry/box.hpp"
 #include "renderer/geometry/hit.hpp"
@@ -29,10 +30,12 @@ struct RayForms {
         : slabs(origin, direction), shear(origin, direction) {}
 };
 
-/// What is searched and what is found. `best.t` always bounds what may still count.
-template <typename T>
+/// What is searched and what is found. `best.t` always bounds what may still count. With kAll every
+/// hit is kept in `all` instead, and the bound stays.
+template <typename T, bool kAll = false>
 struct Search {
     Hit<T> best;
+    std::vector<Hit<T>>* all = nullptr;
     T t_min = 0;
     T time = 0;
     Exclude exclude;
@@ -46,6 +49,10 @@ struct Search {
     void offer(T t, ir::ObjectId object, std::uint32_t face, T u, T v) {
         t = t < instance_near ? instance_near : t;
         if (!(t > t_min)) return;
+        if constexpr (kAll) {
+            if (t < best.t) all->push_back({t, object, face, u, v});
+            return;
+        }
         const bool before =
             t < best.t || (t == best.t && best.object.valid() &&
                            (object < best.object || (object == best.object && face < best.face)));
@@ -80,9 +87,9 @@ T clamp_to(const Span<T>& span, T t) {
     return t < span.near ? span.near : t > span.far ? span.far : t;
 }
 
-template <typename T>
+template <typename T, bool kAll>
 void test_triangle(const RayForms<T>& ray, const std::array<math::Vec3<T>, 3>& vertices,
-                   ir::ObjectId object, std::uint32_t face, Search<T>& search) {
+                   ir::ObjectId object, std::uint32_t face, Search<T, kAll>& search) {
     ++search.primitive_tests;
     const auto hit = intersect_triangle(ray.shear, vertices, search.rule);
     if (!hit) return;
@@ -92,9 +99,9 @@ void test_triangle(const RayForms<T>& ray, const std::array<math::Vec3<T>, 3>& v
     search.offer(clamp_to(span, hit->t), object, face, hit->u, hit->v);
 }
 
-template <typename T>
+template <typename T, bool kAll>
 void test_sphere(const RayForms<T>& ray, math::Vec3<T> center, T radius, ir::ObjectId object,
-                 Search<T>& search) {
+                 Search<T, kAll>& search) {
     ++search.primitive_tests;
     const bool left = object == search.exclude.object;
     if (left && !search.exclude.goes_inside) return;
@@ -103,46 +110,46 @@ void test_sphere(const RayForms<T>& ray, math::Vec3<T> center, T radius, ir::Obj
     const Span<T> span = slab_span(ray.slabs, bounds_of(center, radius));
     if (span.empty()) return;
     const T near = clamp_to(span, roots->near);
-    if (near > search.t_min && !left) {
-        search.offer(near, object, 0, 0, 0);
-    } else {
+    const bool enters = near > search.t_min && !left;
+    if (enters) search.offer(near, object, 0, 0, 0);
+    if (!enters || kAll) {
         search.offer(clamp_to(span, roots->far), object, 0, 0, 0);
     }
 }
 
-template <typename T>
+template <typename T, bool kAll>
 void test_box(const RayForms<T>& ray, const BoxBounds<T>& box, ir::ObjectId object,
-              Search<T>& search) {
+              Search<T, kAll>& search) {
     ++search.primitive_tests;
     const bool left = object == search.exclude.object;
     if (left && !search.exclude.goes_inside) return;
     // The surface's own slabs are its box test, and t needs no clamp: it is one of its slabs.
     const auto hit = intersect_box(ray.slabs, box);
     if (!hit) return;
-    if (hit->near > search.t_min && !left) {
-        search.offer(hit->near, object, hit->near_face, 0, 0);
-    } else if (!left || hit->far_face != search.exclude.face) {
+    const bool enters = hit->near > search.t_min && !left;
+    if (enters) search.offer(hit->near, object, hit->near_face, 0, 0);
+    if ((!enters || kAll) && (!left || hit->far_face != search.exclude.face)) {
         search.offer(hit->far, object, hit->far_face, 0, 0);
     }
 }
 
-template <typename T>
+template <typename T, bool kAll>
 void test_moving_triangle(const Geometry<T>& geometry, const RayForms<T>& ray,
-                          const MovingPrimitive& moving, Search<T>& search) {
+                          const MovingPrimitive& moving, Search<T, kAll>& search) {
     test_triangle(ray, triangle_at(geometry, moving, search.time), moving.object, 0, search);
 }
 
-template <typename T>
+template <typename T, bool kAll>
 void test_moving_sphere(const Geometry<T>& geometry, const RayForms<T>& ray,
-                        const MovingPrimitive& moving, Search<T>& search) {
+                        const MovingPrimitive& moving, Search<T, kAll>& search) {
     const auto sphere = sphere_at(geometry, moving, search.time);
     test_sphere(ray, sphere.center, sphere.radius, moving.object, search);
 }
 
 /// Planes have no box, and come first or last alike.
-template <typename T>
+template <typename T, bool kAll>
 void test_plane(const Geometry<T>& geometry, const RayForms<T>& ray, const MovingPrimitive& plane,
-                Search<T>& search) {
+                Search<T, kAll>& search) {
     ++search.primitive_tests;
     if (plane.object == search.exclude.object) return;
     const auto t = intersect_plane(ray.shear.origin, ray.shear.direction,
@@ -151,9 +158,9 @@ void test_plane(const Geometry<T>& geometry, const RayForms<T>& ray, const Movin
 }
 
 /// The box test of an instance, and what is inside by `visit_mesh(mesh, forms)` for a mesh.
-template <typename T, typename VisitMesh>
+template <typename T, bool kAll, typename VisitMesh>
 void test_instance(const Geometry<T>& geometry, const RayForms<T>& ray, const Instance<T>& instance,
-                   Search<T>& search, VisitMesh visit_mesh) {
+                   Search<T, kAll>& search, VisitMesh visit_mesh) {
     ++search.box_tests;
     const Span<T> span = slab_span(ray.slabs, instance.world_bounds);
     if (span.empty() || span.far < search.t_min || span.near > search.best.t) return;
