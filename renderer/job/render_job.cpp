@@ -156,7 +156,8 @@ class Job final : public RenderJob {
         const FpEnvironment environment;
         StopCheck stop(cancelled_, deadline);
         std::unique_ptr<TileWork>& tile = in_hand_[worker];
-        while (!stop.now()) {
+        // The first ask is granted to the tile, not spent here, so that each step gets somewhere.
+        do {
             if (tile == nullptr) {
                 const std::size_t next = next_tile_.fetch_add(1, std::memory_order_relaxed);
                 if (next >= tiles_.size()) return;
@@ -167,7 +168,7 @@ class Job final : public RenderJob {
             if (!tile->done()) return;
             totals_[worker].add(*tile);
             tile.reset();
-        }
+        } while (!stop.now());
     }
 
     [[nodiscard]] Totals total() const {

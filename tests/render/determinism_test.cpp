@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// One picture, to the bit, however it is computed.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "renderer/job/fp_environment.hpp"
+#include "tests/render/scene_builder.hpp"
+
+using namespace cobble;
+using namespace cobble::test;
+
+namespace {
+
+/// Something of every effect.
+SceneBuilder everything() {
+    SceneBuilder b;
+    b.background({0.3, 0.4, 0.6}, {0.1, 0.1, 0.1});
+    b.camera({0, 2, 8}, {0, -0.2, -1}, 0.7).lens(0.2, 8, 6).shutter(0, 1);
+    ir::Image checks;
+    checks.width = checks.height = 4;
+    for (int i = 0; i < 48; ++i) checks.bytes.push_back(static_cast<std::uint8_t>((37 * i) % 256));
+    const ir::ImageId image = b.image(checks);
+    ir::Material& floor = b.material({0.8, 0.6, 0.4}, {0.1, 0.1, 0.1}, 10);
+    floor.texture = image;
+    floor.normal_map = image;
+    b.plane({0, 1, 0}, 0);
+    ir::Material& marble = b.material({1, 1, 1});
+    marble.has_noise = true;
+    marble.noise = {{1, 1, 1}, {0.2, 0.1, 0.1}, 5, 4, 3};
+    b.moving_sphere({-1.5, 1, 0}, {-1.2, 1.3, 0.2}, 0.9);
+    b.material({0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}, 40, 1.5);
+    b.sphere({1.3, 1, 1}, 0.9);
+    b.box({-0.5, 0, 2}, {0.4, 0.8, 3});
+    b.point_light({-3, 6, 4}, {0.7, 0.7, 0.7}, 0.5, 0.01);
+    b.sun({0.4, -1, -0.3}, {0.3, 0.3, 0.3}, 0.05);
+    return b;
+}
+
+renderer::Settings full(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
+    renderer::Settings s = settings(width, height, samples);
+    s.want_depth = s.want_normals = s.want_albedo = s.want_sample_count = true;
+    s.filter = renderer::PixelFilter::kTent;
+    return s;
+}
+
+bool same(const renderer::Plane32& a, const renderer::Plane32& b) {
+    return a.width == b.width && a.height == b.height && a.values.size() == b.values.size() &&
+           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
+}
+
+bool same(const renderer::Picture& a, const renderer::Picture& b) {
+    return same(a.color, b.color) && same(a.depth, b.depth) && same(a.normals, b.normals) &&
+           same(a.albedo, b.albedo) && same(a.sample_count, b.sample_count);
+}
+
+bool same(const renderer::Counters& a, const renderer::Counters& b) {
+    return a.camera_rays == b.camera_rays && a.shadow_rays == b.shadow_rays &&
+           a.reflected_rays == b.reflected_rays && a.refracted_rays == b.refracted_rays &&
+           a.box_tests == b.box_tests && a.primitive_tests == b.primitive_tests;
+}
+
+}  // namespace
+
+TEST_CASE("threads, tiles and deadlines leave no trace") {
+    SceneBuilder b = everything();
+    renderer::Settings s = full(50, 37, 6);
+    for (const auto precision : {renderer::Precision::kFloat, renderer::Precision::kDouble}) {
+        s.precision = precision;
+        s.tile_size = 32;
+        const Rendered reference = render(b.scene(), s);
+        CHECK(reference.stats.bad_sample_count == 0);
+        CHECK(reference.stats.counters.refracted_rays > 0);
+        for (const std::uint32_t threads : {1U, 2U, 3U, 7U}) {
+            for (const std::uint32_t tile : {1U, 8U, 13U, 32U, 128U}) {
+                s.tile_size = tile;
+                const Rendered other = render(b.scene(), s, threads);
+                CAPTURE(threads);
+                CAPTURE(tile);
+                CHECK(same(reference.picture, other.picture));
+                CHECK(same(reference.stats.counters, other.stats.counters));
+            }
+        }
+    }
+}
+
+TEST_CASE("deadlines that have always passed leave no trace") {
+    // Each step follows one ray and is stopped: every place where a sample can be put down is one.
+    SceneBuilder b = everything();
+    renderer::Settings s = full(14, 11, 2);
+    s.tile_size = 5;
+    const Rendered reference = render(b.scene(), s);
+    for (const std::uint32_t threads : {1U, 3U}) {
+        const Rendered hurried = render(b.scene(), s, threads, -1);
+        CHECK(same(reference.picture, hurried.picture));
+        CHECK(same(reference.stats.counters, hurried.stats.counters));
+    }
+}
+
+TEST_CASE("brute force and the tree give one picture") {
+    SceneBuilder b = everything();
+    renderer::Settings s = full(40, 30, 3);
+    const Rendered tree = render(b.scene(), s);
+    s.acceleration = renderer::Acceleration::kBruteForce;
+    CHECK(same(tree.picture, render(b.scene(), s).picture));
+}
+
+TEST_CASE("a host that flushes denormals and rounds oddly gets the same picture") {
+    SceneBuilder b = everything();
+    const renderer::Settings s = full(24, 18, 2);
+    const Rendered reference = render(b.scene(), s);
+    const int rounding = std::fegetround();
+    std::fesetround(FE_UPWARD);
+#if defined(__SSE2__)
+    const std::uint32_t before = _mm_getcsr();
+    _mm_setcsr(before | 0x8040U);
+#endif
+    const Rendered odd = render(b.scene(), s);
+    const Rendered odd_threads = render(b.scene(), s, 3);
+#if defined(__SSE2__)
+    _mm_setcsr(before);
+#endif
+    std::fesetround(rounding);
+    CHECK(same(reference.picture, odd.picture));
+    CHECK(same(reference.picture, odd_threads.picture));
+}
+
+TEST_CASE("a crop is that part of the whole") {
+    SceneBuilder b = everything();
+    renderer::Settings s = full(50, 37, 3);
+    const Rendered whole = render(b.scene(), s);
+    s.crop = renderer::Crop{7, 11, 30, 37};
+    const Rendered part = render(b.scene(), s, 2);
+    REQUIRE(part.picture.color.width == 23);
+    REQUIRE(part.picture.color.height == 26);
+    bool equal = true;
+    for (std::uint32_t y = 0; y < 26; ++y) {
+        for (std::uint32_t x = 0; x < 23; ++x) {
+            equal = equal && part.color(x, y) == whole.color(x + 7, y + 11);
+        }
+    }
+    CHECK(equal);
+    CHECK(part.stats.counters.camera_rays == 23 * 26 * 3);
+
+    s.crop = renderer::Crop{60, 0, 70, 5};
+    const Rendered nothing = render(b.scene(), s);
+    CHECK(nothing.picture.color.values.empty());
+    CHECK(nothing.picture.complete);
+}
+
+TEST_CASE("shards share out the pixels, each rendered once") {
+    SceneBuilder b = everything();
+    renderer::Settings s = full(50, 37, 2);
+    s.tile_size = 8;
+    const Rendered whole = render(b.scene(), s);
+    std::vector<int> owners(50 * 37, 0);
+    bool equal = true;
+    std::uint64_t rays = 0;
+    s.shard_count = 3;
+    for (s.shard_index = 0; s.shard_index < 3; ++s.shard_index) {
+        const Rendered shard = render(b.scene(), s);
+        rays += shard.stats.counters.camera_rays;
+        for (std::uint32_t y = 0; y < 37; ++y) {
+            for (std::uint32_t x = 0; x < 50; ++x) {
+                if (shard.picture.sample_count.at(x, y, 0) == 0) {
+                    equal = equal && shard.color(x, y) == Color{};
+                    continue;
+                }
+                ++owners[y * 50 + x];
+                equal = equal && shard.color(x, y) == whole.color(x, y);
+            }
+        }
+    }
+    CHECK(equal);
+    CHECK(std::count(owners.begin(), owners.end(), 1) == 50 * 37);
+    CHECK(rays == 50 * 37 * 2);
+}
+
+TEST_CASE("another seed is another picture of the same thing") {
+    SceneBuilder b = everything();
+    renderer::Settings s = full(20, 15, 64);
+    const Rendered one = render(b.scene(), s);
+    s.seed = 1;
+    const Rendered other = render(b.scene(), s);
+    CHECK_FALSE(same(one.picture, other.picture));
+    double difference = 0;
+    for (std::size_t i = 0; i < one.picture.color.values.size(); ++i) {
+        difference +=
+            static_cast<double>(one.picture.color.values[i] - other.picture.color.values[i]) /
+            static_cast<double>(one.picture.color.values.size());
+    }
+    CHECK(std::fabs(difference) < 3e-3);
+}
