@@ -157,13 +157,21 @@ AssetLoader::CachedImage AssetLoader::load_image(const std::string& path, std::s
         also_here(cached->second.finding, span);
         return cached->second;
     }
-    // The same file, read for the other use, serves this one unless it was decoded to light.
+    // The same file, read for the other use, serves this one.
     const auto other = image_cache_.find({path, !data});
     if (other != image_cache_.end()) {
-        if (!other->second.id.valid()) {
-            also_here(other->second.finding, span);
-            return image_cache_[{path, data}] = other->second;
+        CachedImage shared = other->second;
+        if (shared.id.valid()) {
+            Image copy = images_[shared.id.value];
+            copy.tag = data                  ? ColorTag::kData
+                       : copy.floats.empty() ? ColorTag::kDisplay
+                                             : ColorTag::kLinear;
+            shared.id = {static_cast<std::uint32_t>(images_.size())};
+            images_.push_back(std::move(copy));
+        } else {
+            also_here(shared.finding, span);
         }
+        return image_cache_[{path, data}] = shared;
     }
 
     CachedImage result;
@@ -184,13 +192,8 @@ AssetLoader::CachedImage AssetLoader::load_image(const std::string& path, std::s
     }
     Image& image = decoded.image;
     image.path = path;
-    image.source = other != image_cache_.end() ? images_[other->second.id.value].source
-                                               : sources_.add(path, {});
-    if (data) {
-        image.tag = ColorTag::kData;
-    } else if (options_.decode_srgb && keep_pixels_) {
-        decode_to_linear(image);
-    }
+    image.source = sources_.add(path, {});
+    if (data) image.tag = ColorTag::kData;
     if (!keep_pixels_) {
         image.bytes = {};
         image.floats = {};
@@ -198,6 +201,13 @@ AssetLoader::CachedImage AssetLoader::load_image(const std::string& path, std::s
     result.id = {static_cast<std::uint32_t>(images_.size())};
     images_.push_back(std::move(image));
     return image_cache_[{path, data}] = result;
+}
+
+std::vector<Image> AssetLoader::take_images() {
+    if (options_.decode_srgb) {
+        for (Image& image : images_) decode_to_linear(image);
+    }
+    return std::move(images_);
 }
 
 ImageId AssetLoader::checker() {

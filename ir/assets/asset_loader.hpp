@@ -55,7 +55,8 @@ class AssetLoader {
     std::size_t obj(std::string_view path, source::Span span);
 
     [[nodiscard]] std::vector<LoadedObj>& objs() { return objs_; }
-    [[nodiscard]] std::vector<Image>& images() { return images_; }
+    /// With `decode_srgb`, display pictures have become light; data has not.
+    std::vector<Image> take_images();
     [[nodiscard]] std::vector<CubeMap>& cube_maps() { return cube_maps_; }
 
     /// Adds a diagnostic of its own about the place `span` of the scene.

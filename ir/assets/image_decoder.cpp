@@ -32,9 +32,10 @@ DecodedImage decoder_failed(std::string_view bytes) {
     const std::string_view format = image_format(bytes);
     const char* const said = stbi_failure_reason();
     const std::string_view why = said == nullptr ? "unknown" : said;
-    if (why == "outofmem") {
+    if (why == "outofmem" || why == "output buffer limit") {
         return failed(DecodeStatus::kTooLarge, "it unpacks to more than its size allows");
     }
+    if (why == "too large") return failed(DecodeStatus::kTooLarge, "it has too many pixels");
     return failed(DecodeStatus::kCorrupt, std::string(format.empty() ? "TGA" : format) +
                                               " data is damaged or of an unknown kind (" +
                                               std::string(why) + ")");
@@ -53,6 +54,18 @@ bool all_texels_equal(const std::vector<T>& values) {
 std::optional<std::pair<std::uint32_t, std::uint32_t>> image_size(std::string_view bytes) {
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
         return std::nullopt;
+    }
+    // A PNG's size stands at a fixed place; the decoder would not tell that of one it finds too
+    // big.
+    if (image_format(bytes) == "PNG" && bytes.size() >= 24 && bytes.substr(12, 4) == "IHDR") {
+        const auto number = [&](std::size_t at) {
+            std::uint32_t value = 0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+            }
+            return value;
+        };
+        return std::pair{number(16), number(20)};
     }
     const StbBudget budget(kFixedBudget);
     int width = 0;

@@ -200,7 +200,8 @@ class CreaseNormals {
         return math::atan2(length(cross(a, b)), dot(a, b));
     }
 
-    /// Faces whose corners all have the face's own normal are plainly flat.
+    /// Faces whose corners all have the face's own normal, to within the rounding of a few sums
+    /// (2^-48 is 32 units in the last place), are plainly flat.
     void flatten() {
         for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
             auto& corners = mesh_.faces[f].corners;
@@ -210,7 +211,7 @@ class CreaseNormals {
                 if (corner.normal == kNone || is_zero(mesh_.normals[corner.normal])) {
                     missing = true;
                 } else {
-                    flat &= mesh_.normals[corner.normal] == face_normals_[f];
+                    flat &= length(mesh_.normals[corner.normal] - face_normals_[f]) <= 0x1p-48;
                 }
             }
             if (!flat && !missing) continue;

@@ -358,29 +358,36 @@ class Reader {
         }
     }
 
+    /// Judges one triangle; `out_of_range` tells whether its line is to be reported.
+    bool is_bad(const Face& face, bool& out_of_range) const {
+        bool bad = false;
+        for (const Corner& c : face.corners) {
+            bad |= unusable(c.position, file_.positions.size(), bad_positions_) ||
+                   unusable(c.uv, file_.uvs.size(), bad_uvs_) ||
+                   unusable(c.normal, file_.normals.size(), bad_normals_);
+            out_of_range |= c.position >= file_.positions.size() ||
+                            (c.uv != Mesh::kNone && c.uv >= file_.uvs.size()) ||
+                            (c.normal != Mesh::kNone && c.normal >= file_.normals.size());
+        }
+        return bad;
+    }
+
+    /// A polygon is left out as a whole: its triangles are neighbours with one offset.
     void drop_bad_faces() {
         std::size_t kept = 0;
-        std::uint32_t reported = std::numeric_limits<std::uint32_t>::max();
-        for (std::size_t i = 0; i < file_.faces.size(); ++i) {
+        for (std::size_t first = 0, end = 0; first < file_.faces.size(); first = end) {
+            const std::uint32_t offset = file_.face_offsets[first];
             bool bad = false;
             bool out_of_range = false;
-            for (const Corner& c : file_.faces[i].corners) {
-                bad |= unusable(c.position, file_.positions.size(), bad_positions_) ||
-                       unusable(c.uv, file_.uvs.size(), bad_uvs_) ||
-                       unusable(c.normal, file_.normals.size(), bad_normals_);
-                out_of_range |= c.position >= file_.positions.size() ||
-                                (c.uv != Mesh::kNone && c.uv >= file_.uvs.size()) ||
-                                (c.normal != Mesh::kNone && c.normal >= file_.normals.size());
+            for (end = first; end < file_.faces.size() && file_.face_offsets[end] == offset;
+                 ++end) {
+                bad |= is_bad(file_.faces[end], out_of_range);
             }
-            const std::uint32_t offset = file_.face_offsets[i];
-            if (out_of_range && offset != reported) {
-                report_line(offset);
-                reported = offset;
+            if (out_of_range) report_line(offset);
+            for (std::size_t i = first; i < end && !bad; ++i, ++kept) {
+                file_.faces[kept] = file_.faces[i];
+                file_.face_offsets[kept] = offset;
             }
-            if (bad) continue;
-            file_.faces[kept] = file_.faces[i];
-            file_.face_offsets[kept] = offset;
-            ++kept;
         }
         file_.faces.resize(kept);
         file_.face_offsets.resize(kept);
