@@ -66,15 +66,16 @@ double highlight(const CompatScene& scene, const CompatSurface& surface, math::V
     return math::pow(base, surface.material->shininess);
 }
 
-bool in_shadow(const CompatScene& scene, math::Vec3d point, const Lamp& lamp, Counters& counters) {
+bool in_shadow(const CompatScene& scene, const CompatSurface& surface, const Lamp& lamp,
+               Counters& counters) {
     if (!scene.rules.shadows) return false;
     ++counters.shadow_rays;
     Ray<double> ray;
-    ray.origin = point;
+    ray.origin = surface.point;
     ray.direction = lamp.direction;
     ray.t_min = CompatRules::kStart;
     ray.t_max = lamp.distance;
-    return any_hit(*scene.prepared, ray, Exclude{}, counters);
+    return any_hit(*scene.prepared, ray, surface.self, counters);
 }
 
 /// Half of a material's cube map and half of its noise. Where there is no noise the project reads
@@ -99,6 +100,8 @@ CompatSurface compat_surface(const CompatScene& scene, const Ray<double>& ray,
     surface.normal = at.shading_normal;
     surface.material = &material;
     surface.kd = material.diffuse;
+    const bool curved = at.kind == ir::ShapeKind::kSphere || at.kind == ir::ShapeKind::kBox;
+    if (!curved) surface.self = {hit.object, hit.face, false};
 
     // Only meshes have texture coordinates in the published programs.
     const bool has_uv = at.has_uv && at.kind == ir::ShapeKind::kMesh;
@@ -122,16 +125,20 @@ ir::Color compat_local_light(const CompatScene& scene, const CompatSurface& surf
     ir::Color color = scene.scene->background.ambient *
                       (scene.rules.ambient_shows_texture ? surface.kd : material.diffuse);
     const bool mirror = scene.rules.mirror_materials && material.cube_map.valid();
+    const bool shines =
+        scene.rules.highlight != Highlight::kNone && material.specular != ir::Color{};
     for (const ir::Light& light : scene.scene->lights) {
         if (mirror) {
             color += mirrored(scene, surface, view);
             continue;
         }
         const Lamp lamp = lamp_at(scene, light, surface.point);
-        if (in_shadow(scene, surface.point, lamp, counters)) continue;
         const double lambert = math::dot(surface.normal, lamp.direction);
+        // Half of all lamps are behind their surface, and need no shadow ray.
+        if (!(lambert > 0) && !shines) continue;
+        if (in_shadow(scene, surface, lamp, counters)) continue;
         if (lambert > 0) color += (lambert * lamp.color) * surface.kd;
-        if (scene.rules.highlight != Highlight::kNone && material.specular != ir::Color{}) {
+        if (shines) {
             const double amount = highlight(scene, surface, view, lamp.direction);
             color += (amount * lamp.color) * material.specular;
         }

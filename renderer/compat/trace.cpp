@@ -56,14 +56,14 @@ void CompatTrace::start(const CompatScene& scene, math::Vec3d origin, math::Vec3
     color_ = {};
     first_object_ = {};
     waiting_.clear();
-    waiting_.push_back({scene.prepared->to_local(origin), direction, 0, 1, 0, {1, 1, 1}});
+    waiting_.push_back({scene.prepared->to_local(origin), direction, {}, 0, 1, 0, {1, 1, 1}});
 }
 
 void CompatTrace::step(const CompatScene& scene, Counters& counters) {
     const Waiting waiting = waiting_.back();
     waiting_.pop_back();
     const Ray<double> ray = ray_of(waiting.origin, waiting.direction, waiting.t_min);
-    const Hit<double> hit = closest_hit(*scene.prepared, ray, Exclude{}, counters);
+    const Hit<double> hit = closest_hit(*scene.prepared, ray, waiting.exclude, counters);
     if (waiting.depth == 0) first_object_ = hit.object;
     if (!hit) {
         color_ += waiting.factor * compat_background(*scene.scene, waiting.direction);
@@ -79,7 +79,8 @@ void CompatTrace::send_on(const CompatScene& scene, const Waiting& ray,
     // Both the mirrored and the transmitted colour are tinted by the specular one.
     const ir::Color factor = ray.factor * surface.material->specular;
     if (factor == ir::Color{}) return;
-    Waiting next{surface.point, {}, CompatRules::kStart, ray.index, ray.depth + 1, factor};
+    Waiting next{surface.point, {},    surface.self, CompatRules::kStart, ray.index,
+                 ray.depth + 1, factor};
 
     double reflectance = 1;
     const double material = surface.material->refraction_index;

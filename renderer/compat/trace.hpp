@@ -12,6 +12,7 @@
 #include "ir/scene/scene.hpp"
 #include "renderer/compat/rules.hpp"
 #include "renderer/geometry/hit.hpp"
+#include "renderer/geometry/ray.hpp"
 #include "renderer/job/stats.hpp"
 #include "renderer/scene/prepared_scene.hpp"
 
@@ -29,6 +30,9 @@ struct CompatSurface {
     math::Vec3d point;   ///< origin + t direction, local coordinates
     math::Vec3d normal;  ///< unit, never flipped; by the normal map where there is one
     const ir::Material* material = nullptr;
+    /// A flat primitive is not met again from itself: the programs' start of 0.001 sees to that,
+    /// and leaving it out is faster.
+    Exclude self;
     ir::Color kd;  ///< noise, else texture where the hit has coordinates, else the diffuse colour
 };
 
@@ -47,6 +51,7 @@ class CompatTrace {
     struct Waiting {
         math::Vec3d origin;  ///< local
         math::Vec3d direction;
+        Exclude exclude;
         double t_min = 0;
         double index = 1;  ///< of the medium that the ray runs in
         std::uint32_t depth = 0;
