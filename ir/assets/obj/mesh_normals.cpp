@@ -88,12 +88,13 @@ class CreaseNormals {
         : mesh_(mesh),
           cos_crease_(math::sincos_degrees(crease_angle).cos),
           welded_(weld(mesh.positions)),
-          face_normals_(mesh.faces.size()) {}
+          face_normals_(mesh.faces.size()),
+          angles_(mesh.faces.size() * 3) {}
 
     void run() {
         mesh_.normals.clear();
         for (std::size_t f = 0; f < mesh_.faces.size(); ++f) {
-            face_normals_[f] = face_normal(mesh_, mesh_.faces[f]);
+            measure(f);
             for (auto& corner : mesh_.faces[f].corners) corner.normal = kNone;
         }
         collect_corners();
@@ -154,7 +155,7 @@ class CreaseNormals {
         sums_.assign(count, {});
         for (std::uint32_t m = 0; m < count; ++m) {
             const std::uint32_t corner = corners_[first + m];
-            sums_[root(m)] += face_normals_[corner / 3] * angle_at(corner);
+            sums_[root(m)] += face_normals_[corner / 3] * angles_[corner];
         }
         normal_ids_.assign(count, kNone);
         for (std::uint32_t m = 0; m < count; ++m) {
@@ -190,14 +191,24 @@ class CreaseNormals {
         }
     }
 
-    [[nodiscard]] double angle_at(std::uint32_t corner) const {
-        const auto position = [&](std::uint32_t by) {
-            const std::uint32_t c = turn(corner, by);
-            return mesh_.positions[mesh_.faces[c / 3].corners[c % 3].position];
-        };
-        const Vec3d a = safe_normalize(position(1) - position(0));
-        const Vec3d b = safe_normalize(position(2) - position(0));
-        return math::atan2(length(cross(a, b)), dot(a, b));
+    /// The unit normal of a face and its angles: the cross product of any two sides has the same
+    /// length, and with their dot product it gives the angle between them.
+    void measure(std::size_t f) {
+        const auto& c = mesh_.faces[f].corners;
+        std::array<Vec3d, 3> side;  // from each corner to the next
+        double size = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            side[k] = mesh_.positions[c[(k + 1) % 3].position] - mesh_.positions[c[k].position];
+            size = std::max(size, largest_component(side[k]));
+        }
+        face_normals_[f] = face_normal(mesh_, mesh_.faces[f]);
+        if (is_zero(face_normals_[f])) return;
+        const double scale = power_near_inverse(size);
+        for (Vec3d& s : side) s *= scale;
+        const double area = length(cross(side[0], side[1]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            angles_[3 * f + k] = math::atan2(area, -dot(side[(k + 2) % 3], side[k]));
+        }
     }
 
     /// Faces whose corners all have the face's own normal, to within the rounding of a few sums
@@ -241,6 +252,7 @@ class CreaseNormals {
     double cos_crease_;
     std::vector<std::uint32_t> welded_;
     std::vector<Vec3d> face_normals_;
+    std::vector<double> angles_;  ///< per corner, radians
     std::vector<std::uint32_t> starts_;
     std::vector<std::uint32_t> corners_;
     // Of the vertex in hand, one entry per corner there.
