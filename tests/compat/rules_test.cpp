@@ -8,66 +8,20 @@
 #include "renderer/compat/filter.hpp"
 #include "renderer/compat/pictures.hpp"
 #include "renderer/compat/texture.hpp"
+#include "tests/compat/small_scene.hpp"
 #include "tests/compat/support.hpp"
 
 namespace cobble::renderer {
 namespace {
 
 using ir::Compat;
-
-/// A camera at 0 0 5 that looks along -z with an opening of 90 degrees, one material, and a light
-/// from the camera's side.
-ir::Scene plain_scene(Compat compat) {
-    ir::Scene scene;
-    scene.compat = compat;
-    scene.camera.center = {0, 0, 5};
-    scene.camera.forward = {0, 0, -1};
-    scene.camera.up = {0, 1, 0};
-    scene.camera.up_as_written = {0, 1, 0};
-    scene.camera.right = {1, 0, 0};
-    scene.camera.angle = 1.5707963267948966;
-    scene.background.color = {0, 0, 1};
-    ir::Light light;
-    light.kind = ir::Light::Kind::kDirectional;
-    light.direction = {0, 0, -1};
-    light.color = {1, 1, 1};
-    scene.lights.push_back(light);
-    ir::Material material;
-    material.diffuse = {0.5, 0.25, 0.125};
-    scene.materials.push_back(material);
-    return scene;
-}
-
-/// The plane z = `z` that faces the camera.
-void add_wall(ir::Scene& scene, double z, std::uint32_t material = 0, double facing = 1) {
-    ir::Plane plane;
-    plane.normal = {0, 0, facing};
-    plane.offset = z * facing;
-    ir::Object object;
-    object.kind = ir::ShapeKind::kPlane;
-    object.shape = static_cast<std::uint32_t>(scene.planes.size());
-    object.material = {material};
-    scene.planes.push_back(plane);
-    scene.objects.push_back(object);
-}
-
-Settings sized(std::uint32_t width, std::uint32_t height) {
-    Settings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.compat.casting = true;
-    return settings;
-}
-
-/// The middle pixel of three by three: the camera ray runs straight along -z.
-math::Vec3d middle(const ir::Scene& scene, Settings settings) {
-    settings.width = settings.height = 3;
-    const Plane32 color = test::render(scene, settings, 1).color;
-    return {static_cast<double>(color.at(1, 1, 0)), static_cast<double>(color.at(1, 1, 1)),
-            static_cast<double>(color.at(1, 1, 2))};
-}
-
-double red(const ir::Scene& scene, const Settings& settings) { return middle(scene, settings).x; }
+using test::add_dot;
+using test::add_picture_frame;
+using test::add_wall;
+using test::middle;
+using test::plain_scene;
+using test::red;
+using test::sized;
 
 TEST_CASE("pixels lie at 2 i / (w - 1) - 1, and pictures that are not square are stretched") {
     const ir::Scene scene = plain_scene(Compat::kA4);
@@ -240,6 +194,88 @@ TEST_CASE("glass: Schlick's reflectance head on, and the index of air behind it"
     // Opaque without an index: all of it is mirrored.
     scene.materials[0].refraction_index = 0;
     CHECK(red(scene, settings) == 0);
+}
+
+TEST_CASE("only meshes have texture coordinates, and 2016 has no textures") {
+    const auto with = [](Compat compat, bool mesh) {
+        ir::Scene scene = plain_scene(compat);
+        scene.materials[0].texture = add_dot(scene, 255, 0, 0);
+        mesh ? add_picture_frame(scene) : add_wall(scene, 0);
+        return red(scene, sized(3, 3));
+    };
+    for (const Compat compat : {Compat::kA4, Compat::kA5, Compat::kProject}) {
+        CHECK(with(compat, true) == doctest::Approx(1));
+        CHECK(with(compat, false) == doctest::Approx(0.5));
+    }
+    CHECK(with(Compat::kFa2016, true) == doctest::Approx(0.5));
+}
+
+TEST_CASE("ambient light shows the texture in the handout's ray casting alone") {
+    const auto with = [](Compat compat) {
+        ir::Scene scene = plain_scene(compat);
+        scene.materials[0].texture = add_dot(scene, 255, 0, 0);
+        scene.lights.clear();
+        scene.background.ambient = {0.5, 0.5, 0.5};
+        add_picture_frame(scene);
+        return red(scene, sized(3, 3));
+    };
+    CHECK(with(Compat::kA4) == doctest::Approx(0.5));
+    CHECK(with(Compat::kA5) == doctest::Approx(0.25));
+    CHECK(with(Compat::kProject) == doctest::Approx(0.25));
+}
+
+TEST_CASE("the project's normal maps: red and green count downwards, and others ignore them") {
+    const auto with = [](Compat compat, std::uint8_t r, std::uint8_t g, std::uint8_t b,
+                         math::Vec3d light) {
+        ir::Scene scene = plain_scene(compat);
+        scene.materials[0].normal_map = add_dot(scene, r, g, b);
+        scene.lights[0].direction = light;
+        scene.materials[0].diffuse = {1, 1, 1};
+        add_picture_frame(scene);
+        return red(scene, sized(3, 3));
+    };
+    // 0 is 1 and 255 is -1 along u and v.
+    CHECK(with(Compat::kProject, 0, 127, 127, {-1, 0, 0}) == doctest::Approx(1).epsilon(1e-3));
+    CHECK(with(Compat::kProject, 255, 127, 127, {-1, 0, 0}) == doctest::Approx(0));
+    CHECK(with(Compat::kProject, 127, 0, 127, {0, -1, 0}) == doctest::Approx(1).epsilon(1e-3));
+    CHECK(with(Compat::kProject, 127, 127, 255, {0, 0, -1}) == doctest::Approx(1).epsilon(1e-3));
+    CHECK(with(Compat::kA4, 0, 127, 127, {-1, 0, 0}) == doctest::Approx(0));
+}
+
+TEST_CASE("the project's environment-mapped material: half and half, once for each light") {
+    ir::Scene scene = plain_scene(Compat::kProject);
+    ir::CubeMap map;
+    map.faces.fill(add_dot(scene, 102, 0, 0));  // 0.4
+    scene.cube_maps.push_back(map);
+    scene.materials[0].cube_map = {0};
+    scene.background.ambient = {0.1, 0.1, 0.1};
+    add_wall(scene, 0);
+    const Settings settings = sized(3, 3);
+    CHECK(red(scene, settings) == doctest::Approx(0.1 * 0.5 + 0.2));
+    scene.lights.push_back(scene.lights[0]);
+    CHECK(red(scene, settings) == doctest::Approx(0.1 * 0.5 + 0.4));
+    scene.materials[0].has_noise = true;
+    scene.materials[0].noise = {{0.6, 0, 0}, {0.6, 0, 0}, 1, 1, 1};
+    CHECK(red(scene, settings) == doctest::Approx(0.1 * 0.5 + 2 * (0.2 + 0.3)));
+    // The tracer ignores it.
+    Settings tracing = settings;
+    tracing.compat.casting = false;
+    scene.materials[0].has_noise = false;
+    CHECK(red(scene, tracing) == doctest::Approx(0.1 * 0.5 + 2 * 0.5));
+}
+
+TEST_CASE("noise stands before the texture, and the caster of 2012 has none") {
+    const auto with = [](Compat compat) {
+        ir::Scene scene = plain_scene(compat);
+        scene.materials[0].texture = add_dot(scene, 255, 0, 0);
+        scene.materials[0].has_noise = true;
+        scene.materials[0].noise = {{0.2, 0, 0}, {0.2, 0, 0}, 1, 1, 1};
+        add_picture_frame(scene);
+        return red(scene, sized(3, 3));
+    };
+    CHECK(with(Compat::kA4) == doctest::Approx(1));
+    CHECK(with(Compat::kA5) == doctest::Approx(0.2));
+    CHECK(with(Compat::kProject) == doctest::Approx(0.2));
 }
 
 TEST_CASE("textures: no half texel, no repeat, truncated when nearest") {
