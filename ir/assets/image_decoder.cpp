@@ -99,7 +99,8 @@ DecodedImage decode_image(std::string_view bytes, std::uint64_t max_pixels) {
                           ? "it is of a kind of " + std::string(format) + " that cannot be read"
                           : damage);
     }
-    const auto [width, height] = *size;
+    const std::uint32_t width = size->first;  // clang 14 lets no lambda use a structured binding
+    const std::uint32_t height = size->second;
     const std::uint64_t pixels = std::uint64_t{width} * height;
     if (pixels == 0) return failed(DecodeStatus::kCorrupt, "it has no pixels");
     if (pixels > max_pixels) {
