@@ -119,12 +119,18 @@ Split best_split(const std::vector<BuildItem<T>>& items, std::uint32_t first, st
     return best;
 }
 
+bool is_set(const std::atomic<bool>* flag) {
+    return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
+
+/// Not to be used if `cancelled` has become true.
 template <typename T>
-std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items) {
+std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items,
+                                        const std::atomic<bool>* cancelled) {
     std::vector<BinaryNode<T>> nodes(1);
     std::vector<BuildItem<T>> scratch;
     std::vector<Task> tasks{{0, 0, static_cast<std::uint32_t>(items.size()), 0}};
-    while (!tasks.empty()) {
+    while (!tasks.empty() && !is_set(cancelled)) {
         const Task task = tasks.back();
         tasks.pop_back();
         BoxBounds<T> bounds;
@@ -174,10 +180,11 @@ std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items) {
 }  // namespace
 
 template <typename T>
-Tree<T> build_tree(std::vector<BuildItem<T>>& items) {
+Tree<T> build_tree(std::vector<BuildItem<T>>& items, const std::atomic<bool>* cancelled) {
     Tree<T> tree;
     if (items.empty()) return tree;
-    const std::vector<BinaryNode<T>> binary = build_binary(items);
+    const std::vector<BinaryNode<T>> binary = build_binary(items, cancelled);
+    if (is_set(cancelled)) return tree;
     tree.bounds = binary[0].bounds;
 
     // The place of each item among those of its kind.
@@ -241,7 +248,7 @@ Tree<T> build_tree(std::vector<BuildItem<T>>& items) {
     return tree;
 }
 
-template Tree<float> build_tree(std::vector<BuildItem<float>>&);
-template Tree<double> build_tree(std::vector<BuildItem<double>>&);
+template Tree<float> build_tree(std::vector<BuildItem<float>>&, const std::atomic<bool>*);
+template Tree<double> build_tree(std::vector<BuildItem<double>>&, const std::atomic<bool>*);
 
 }  // namespace cobble::renderer

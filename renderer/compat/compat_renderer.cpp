@@ -50,9 +50,10 @@ class PausedTile : public PausedPixel {
 
 class CompatRenderer : public TileRenderer {
   public:
-    CompatRenderer(const ir::Scene& scene, const Settings& settings)
+    CompatRenderer(const ir::Scene& scene, const Settings& settings,
+                   const std::atomic<bool>* cancelled)
         : settings_(settings),
-          prepared_(prepare<double>(scene, {settings.acceleration, true})),
+          prepared_(prepare<double>(scene, {settings.acceleration, true, cancelled})),
           scene_{&scene, &prepared_, rules_of(scene.compat, settings)},
           camera_(scene.camera, scene_.rules, settings.width, settings.height) {}
 
@@ -169,8 +170,9 @@ class CompatRenderer : public TileRenderer {
 }  // namespace
 
 std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene, const Settings& settings,
-                                                   std::uint64_t& bytes) {
-    auto renderer = std::make_unique<CompatRenderer>(scene, settings);
+                                                   std::uint64_t& bytes,
+                                                   const std::atomic<bool>* cancelled) {
+    auto renderer = std::make_unique<CompatRenderer>(scene, settings, cancelled);
     bytes = renderer->bytes();
     return renderer;
 }

@@ -10,6 +10,7 @@
 // renderer/compat/pictures.hpp.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
@@ -23,9 +24,11 @@ namespace cobble::renderer {
 /// size, bounces, seed, acceleration, which planes are wanted, and Settings::Compat; effects and
 /// samples are the program's own. A tile that needs its neighbours' samples (-filter) computes them
 /// itself, so that tiles do not matter. Memory while a tile is on its way: 24 bytes a sample, 3x3 a
-/// pixel at most. `bytes`: of the prepared scene.
+/// pixel at most. `bytes`: of the prepared scene. If `cancelled` is given and becomes true, returns
+/// soon, with what must not be used.
 std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene, const Settings& settings,
-                                                   std::uint64_t& bytes);
+                                                   std::uint64_t& bytes,
+                                                   const std::atomic<bool>* cancelled = nullptr);
 
 /// Samples that one pixel counts as in TileWork::samples_done: 9 with jitter or filter, else 1, and
 /// 16 times that with a lens.

@@ -54,7 +54,8 @@ std::uint64_t ShadingScene<T>::bytes() const {
 }
 
 template <typename T>
-ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings) {
+ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings,
+                                const std::atomic<bool>* cancelled) {
     const ActiveEffects effects = active_effects(settings.effects);
     std::vector<PreparedMaterial<T>> materials;
     materials.reserve(scene.materials.size() + 1);
@@ -70,6 +71,7 @@ ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings
     PrepareOptions options;
     options.acceleration = settings.acceleration;
     options.texture_coordinates = reads_uv;
+    options.cancelled = cancelled;
     ShadingScene<T> result{&scene,
                            effects,
                            std::move(materials),
@@ -98,7 +100,9 @@ template PreparedMaterial<float> prepare_material(const ir::Scene&, const ir::Ma
 template PreparedMaterial<double> prepare_material(const ir::Scene&, const ir::Material&,
                                                    const ActiveEffects&,
                                                    std::optional<ir::TextureFilter>);
-template ShadingScene<float> prepare_shading(const ir::Scene&, const Settings&);
-template ShadingScene<double> prepare_shading(const ir::Scene&, const Settings&);
+template ShadingScene<float> prepare_shading(const ir::Scene&, const Settings&,
+                                             const std::atomic<bool>*);
+template ShadingScene<double> prepare_shading(const ir::Scene&, const Settings&,
+                                              const std::atomic<bool>*);
 
 }  // namespace cobble::renderer

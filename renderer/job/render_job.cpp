@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <tuple>
 #include <utility>
 
@@ -61,9 +62,10 @@ struct alignas(64) Totals {
 
 template <typename T>
 std::unique_ptr<TileRenderer> prepare_renderer(const ir::Scene& scene, const Settings& settings,
+                                               const std::atomic<bool>& cancelled,
                                                std::uint64_t& bytes) {
-    auto renderer =
-        std::make_unique<SceneRenderer<T>>(prepare_shading<T>(scene, settings), settings);
+    auto renderer = std::make_unique<SceneRenderer<T>>(
+        prepare_shading<T>(scene, settings, &cancelled), settings);
     bytes = renderer->scene().bytes();
     return renderer;
 }
@@ -98,16 +100,19 @@ class Job final : public RenderJob {
     Progress step(Deadline deadline) override {
         const Clock::time_point start = Clock::now();
         if (!complete_ && !cancelled()) {
-            if (renderer_ == nullptr) prepare_all();
-            const Clock::time_point render_start = Clock::now();
-            render_until(deadline);
-            render_seconds_ += seconds_since(render_start);
+            if (prepared(deadline)) {
+                const Clock::time_point render_start = Clock::now();
+                render_until(deadline);
+                render_seconds_ += seconds_since(render_start);
+            }
         }
         seconds_ += seconds_since(start);
         return progress();
     }
 
-    void cancel() override { cancelled_.store(true, std::memory_order_relaxed); }
+    ~Job() override { cancel_now(); }
+
+    void cancel() override { cancel_now(); }
 
     [[nodiscard]] Picture picture() const override {
         Picture result = film_.picture();
@@ -121,23 +126,49 @@ class Job final : public RenderJob {
         stats.counters = sum.counters;
         stats.bad_sample_count = sum.bad_sample_count;
         stats.bad_samples = sum.bad_samples;
-        stats.phases = {{"prepare", prepare_seconds_}, {"render", render_seconds_}};
-        stats.scene_bytes = bytes_;
+        // Until it has ended, the preparation's figures are still being written.
+        stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0}, {"render", render_seconds_}};
+        stats.scene_bytes = prepared_ ? bytes_ : 0;
         return stats;
     }
 
   private:
     [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
+    void cancel_now() { cancelled_.store(true, std::memory_order_relaxed); }
+
+    /// Whether rays can be traced by `deadline`. Trees are not built in steps: they are built
+    /// beside the steps, which wait for them as long as they may.
+    bool prepared(Deadline deadline) {
+        if (prepared_) return true;
+        if (preparation_ == nullptr) {
+            preparation_ = scheduler_->start([this] {
+                try {
+                    prepare_all();
+                } catch (...) {
+                    preparation_failed_ = std::current_exception();  // out of memory
+                }
+            });
+        }
+        // Short waits, so that a cancelled job is noticed.
+        constexpr std::chrono::milliseconds kWait{20};
+        while (!preparation_->wait_until(std::min(deadline, Clock::now() + kWait))) {
+            if (cancelled() || Clock::now() >= deadline) return false;
+        }
+        if (preparation_failed_) std::rethrow_exception(preparation_failed_);
+        prepared_ = !cancelled();
+        return prepared_;
+    }
+
     void prepare_all() {
         const FpEnvironment environment;
         const Clock::time_point start = Clock::now();
         if (scene_->compat != ir::Compat::kNone) {
-            renderer_ = make_compat_renderer(*scene_, settings_, bytes_);
+            renderer_ = make_compat_renderer(*scene_, settings_, bytes_, &cancelled_);
         } else {
             renderer_ = settings_.precision == Precision::kDouble
-                            ? prepare_renderer<double>(*scene_, settings_, bytes_)
-                            : prepare_renderer<float>(*scene_, settings_, bytes_);
+                            ? prepare_renderer<double>(*scene_, settings_, cancelled_, bytes_)
+                            : prepare_renderer<float>(*scene_, settings_, cancelled_, bytes_);
         }
         bytes_ += bytes_of_images(*scene_);
         prepare_seconds_ = seconds_since(start);
@@ -208,6 +239,9 @@ class Job final : public RenderJob {
     double render_seconds_ = 0;
     double seconds_ = 0;
     bool complete_ = false;
+    bool prepared_ = false;
+    std::exception_ptr preparation_failed_;
+    std::unique_ptr<Background> preparation_;  ///< last: its end is waited for before all else goes
 };
 
 }  // namespace

@@ -33,7 +33,9 @@ class RenderJob {
     virtual ~RenderJob() = default;
 
     /// Works until `deadline` (overrun by at most 10 ms) or until done. The first steps prepare the
-    /// scene. Results do not depend on deadlines, threads or tile size.
+    /// scene: beside the steps where the scheduler has threads, else within the first one, which
+    /// then takes as long as that takes (a few seconds for a million triangles) unless cancelled.
+    /// Results do not depend on deadlines, threads or tile size. Throws only if memory runs out.
     virtual Progress step(Deadline deadline) = 0;
     /// May be called from another thread or a signal handler; the running step returns soon.
     virtual void cancel() = 0;

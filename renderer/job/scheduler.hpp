@@ -2,11 +2,25 @@
 // The one place that knows about threads.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 
 namespace cobble::renderer {
+
+/// Work that goes on beside whoever started it. Destroying it waits for its end.
+class Background {
+  public:
+    Background() = default;
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+    virtual ~Background() = default;
+
+    /// Waits until the work has ended, then true, or until `deadline`, then false. What the work
+    /// wrote may be read once this was true.
+    virtual bool wait_until(std::chrono::steady_clock::time_point deadline) = 0;
+};
 
 /// Runs one function on all workers at once and waits for them.
 class Scheduler {
@@ -20,6 +34,9 @@ class Scheduler {
     /// Calls work(worker) once for each worker in [0, workers()), concurrently, and returns when
     /// all have returned. `work` must not throw.
     virtual void run(const std::function<void(std::uint32_t worker)>& work) = 0;
+    /// Calls work() once, beside the caller if there are threads for that, else before this
+    /// returns. `work` must not throw.
+    virtual std::unique_ptr<Background> start(std::function<void()> work) = 0;
 };
 
 /// Everything on the caller's thread: for a browser, and for tests.

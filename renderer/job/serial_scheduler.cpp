@@ -4,10 +4,19 @@
 namespace cobble::renderer {
 namespace {
 
+class Finished final : public Background {
+  public:
+    bool wait_until(std::chrono::steady_clock::time_point) override { return true; }
+};
+
 class SerialScheduler final : public Scheduler {
   public:
     [[nodiscard]] std::uint32_t workers() const override { return 1; }
     void run(const std::function<void(std::uint32_t)>& work) override { work(0); }
+    std::unique_ptr<Background> start(std::function<void()> work) override {
+        work();
+        return std::make_unique<Finished>();
+    }
 };
 
 }  // namespace

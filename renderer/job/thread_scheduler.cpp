@@ -6,12 +6,46 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "renderer/job/scheduler.hpp"
 
 namespace cobble::renderer {
 namespace {
+
+class OnThread final : public Background {
+  public:
+    explicit OnThread(std::function<void()> work) : work_(std::move(work)) {
+        try {
+            thread_ = std::thread([this] { run(); });
+        } catch (const std::system_error&) {
+            run();
+        }
+    }
+    ~OnThread() override {
+        if (thread_.joinable()) thread_.join();
+    }
+
+    bool wait_until(std::chrono::steady_clock::time_point deadline) override {
+        std::unique_lock lock(mutex_);
+        return changed_.wait_until(lock, deadline, [this] { return ended_; });
+    }
+
+  private:
+    void run() {
+        work_();
+        const std::lock_guard lock(mutex_);
+        ended_ = true;
+        changed_.notify_all();
+    }
+
+    std::function<void()> work_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool ended_ = false;
+    std::thread thread_;
+};
 
 class ThreadScheduler final : public Scheduler {
   public:
@@ -50,6 +84,10 @@ class ThreadScheduler final : public Scheduler {
         std::unique_lock lock(mutex_);
         finished_.wait(lock, [this] { return running_ == 0; });
         work_ = nullptr;
+    }
+
+    std::unique_ptr<Background> start(std::function<void()> work) override {
+        return std::make_unique<OnThread>(std::move(work));
     }
 
   private:

@@ -72,7 +72,7 @@ class Preparation {
     }
 
     PreparedScene<T> run() {
-        for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+        for (std::uint32_t i = 0; i < scene_.objects.size() && !cancelled(); ++i) {
             const ir::Object& object = scene_.objects[i];
             const ir::ObjectId id{i};
             if (object.kind == ir::ShapeKind::kPlane) {
@@ -84,11 +84,17 @@ class Preparation {
             }
         }
         sort_into_leaves();
+        out_.options.cancelled = nullptr;
         return std::move(out_);
     }
 
   private:
     Geometry<T>& geometry() { return out_.geometry; }
+    [[nodiscard]] const PrepareOptions& options() const { return out_.options; }
+    [[nodiscard]] bool cancelled() const {
+        return options().cancelled != nullptr &&
+               options().cancelled->load(std::memory_order_relaxed);
+    }
 
     void note(Kind kind, ir::ObjectId object, std::uint32_t face) {
         for (auto i = out_.notes.size(); i > 0 && out_.notes[i - 1].object == object; --i) {
@@ -119,7 +125,7 @@ class Preparation {
         switch (object.kind) {
             case ir::ShapeKind::kMesh: {
                 const ir::Mesh& mesh = scene_.meshes[object.shape];
-                for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+                for (std::uint32_t f = 0; f < mesh.faces.size() && !cancelled(); ++f) {
                     add_triangle(face_vertices<T>(mesh, f, out_.origin), id, f);
                 }
                 break;
@@ -333,14 +339,14 @@ class Preparation {
         PlacedMesh<T> placed;
         std::vector<TrianglePrimitive<T>> triangles;
         std::vector<BuildItem<T>> items;
-        for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+        for (std::uint32_t f = 0; f < mesh.faces.size() && !cancelled(); ++f) {
             const auto v = face_vertices<T>(mesh, f, shape_origin);
             if (!usable(v, id, f)) continue;
             items.push_back({bounds_of(v), PrimitiveKind::kTriangle,
                              static_cast<std::uint32_t>(triangles.size())});
             triangles.push_back({v, id, f});
         }
-        placed.tree = build_tree(items);
+        placed.tree = build_tree(items, options().cancelled);
         placed.triangles.reserve(items.size());
         for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
         geometry().meshes.push_back(std::move(placed));
@@ -358,7 +364,7 @@ class Preparation {
 
     void sort_into_leaves() {
         Geometry<T>& g = geometry();
-        g.tree = build_tree(items_);
+        g.tree = build_tree(items_, options().cancelled);
         sort_kind(PrimitiveKind::kTriangle, g.triangles);
         sort_kind(PrimitiveKind::kSphere, g.spheres);
         sort_kind(PrimitiveKind::kBox, g.boxes);

@@ -6,6 +6,7 @@
 // moved by whole grid steps keeps its every bit.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,8 @@ struct PreparationNote {
 struct PrepareOptions {
     Acceleration acceleration = Acceleration::kBvh;
     bool texture_coordinates = true;  ///< keep uv and give tangents; off: none are loaded
+    /// If given and true at any time, prepare() returns soon, with a scene that must not be used.
+    const std::atomic<bool>* cancelled = nullptr;
 };
 
 template <typename T>

@@ -103,6 +103,52 @@ TEST_CASE("cancelling from another thread ends a long step soon") {
     CHECK(job->step(soon(1000)).done);
 }
 
+TEST_CASE("preparing a large scene neither holds up a step nor a cancel") {
+    // Half a million triangles: a few hundred milliseconds of building a tree.
+    ir::Mesh mesh;
+    const std::uint32_t n = 500;
+    for (std::uint32_t i = 0; i <= n; ++i) {
+        for (std::uint32_t k = 0; k <= n; ++k) {
+            mesh.positions.push_back({i * 0.01, std::sin(i * 0.05) * std::cos(k * 0.03), k * 0.01});
+        }
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const std::uint32_t at = i * (n + 1) + k;
+            const auto corner = [](std::uint32_t p) {
+                return ir::Mesh::Corner{p, ir::Mesh::kNone, ir::Mesh::kNone};
+            };
+            mesh.faces.push_back({{corner(at), corner(at + 1), corner(at + n + 1)}});
+            mesh.faces.push_back({{corner(at + 1), corner(at + n + 2), corner(at + n + 1)}});
+        }
+    }
+    mesh.face_offsets.assign(mesh.faces.size(), 0);
+    SceneBuilder b;
+    b.mesh(std::move(mesh));
+    const auto scheduler = renderer::make_thread_scheduler(2);
+    const auto begun = Clock::now();
+    {
+        const auto job = renderer::start_render(b.scene(), settings(64, 64, 1), *scheduler);
+        std::vector<double> overruns;
+        for (int i = 0; i < 5; ++i) {
+            const auto deadline = soon(2);
+            const renderer::Progress progress = job->step(deadline);
+            overruns.push_back(milliseconds_since(deadline));
+            CHECK(progress.rays == 0);
+        }
+        std::sort(overruns.begin(), overruns.end());
+        CHECK(overruns[2] <= 10);
+        CHECK(job->stats().scene_bytes == 0);
+        job->cancel();
+        CHECK(job->step(soon(1000)).done);
+    }
+    const double abandoned = milliseconds_since(begun);
+    const auto again = Clock::now();
+    CHECK(render(b.scene(), settings(8, 8, 1), 2).picture.complete);
+    // Given up long before it would have been ready.
+    CHECK(abandoned < milliseconds_since(again));
+}
+
 TEST_CASE("a cancelled picture keeps the pixels that were finished") {
     SceneBuilder b;
     b.background({0.5, 0.5, 0.5});

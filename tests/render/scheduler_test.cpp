@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -42,6 +43,31 @@ TEST_CASE("the serial scheduler is the caller") {
     std::thread::id id;
     scheduler->run([&](std::uint32_t) { id = std::this_thread::get_id(); });
     CHECK(id == std::this_thread::get_id());
+}
+
+TEST_CASE("background work is done by the time that it says so") {
+    for (const bool threads : {false, true}) {
+        const auto scheduler =
+            threads ? renderer::make_thread_scheduler(2) : renderer::make_serial_scheduler();
+        std::atomic<bool> go = !threads;
+        int result = 0;
+        const auto background = scheduler->start([&] {
+            while (!go) std::this_thread::yield();
+            result = 42;
+        });
+        const auto now = std::chrono::steady_clock::now();
+        CHECK(background->wait_until(now) == !threads);
+        go = true;
+        CHECK(background->wait_until(now + std::chrono::seconds(60)));
+        CHECK(result == 42);
+    }
+    // Dropped, it is waited for.
+    std::atomic<bool> ended = false;
+    renderer::make_thread_scheduler(1)->start([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ended = true;
+    });
+    CHECK(ended);
 }
 
 TEST_CASE("a task has its own rounding and denormals, and leaves the host's as they were") {
