@@ -34,8 +34,9 @@ std::string reason(const std::string& file) {
 
 TEST_CASE("each format gives its pixels, rows from the top") {
     const Bytes expected{255, 0, 0, 0, 255, 0, 0, 0, 255, 10, 20, 30};
-    for (const auto& [name, file] : four_pixels()) {
-        CAPTURE(name);
+    for (const auto& entry : four_pixels()) {
+        const std::string& file = entry.second;
+        CAPTURE(entry.first);
         const auto decoded = decode(file);
         CAPTURE(decoded.reason);
         REQUIRE(decoded.status == DecodeStatus::kOk);
@@ -110,8 +111,9 @@ TEST_CASE("a stream that unpacks to far more than its picture is stopped") {
 }
 
 TEST_CASE("damaged files are told in plain words") {
-    for (const auto& [name, file] : four_pixels()) {
-        CAPTURE(name);
+    for (const auto& entry : four_pixels()) {
+        const std::string& file = entry.second;
+        CAPTURE(entry.first);
         const std::string cut = file.substr(0, file.size() - 3);
         CHECK(reason(cut) == "the file ends too early");
         reason(file.substr(0, 10));

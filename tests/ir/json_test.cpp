@@ -37,11 +37,11 @@ TEST_CASE("the scene as JSON") {
     // Column by column: the third column of a quarter turn about y is +x.
     const auto first = json["objects"][1]["placement"]["first"].get<std::size_t>();
     CHECK(json["placements"][first]["object_to_world"] ==
-          nlohmann::json(
+          nlohmann::ordered_json(
               {0.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 1.0}));
     CHECK(json["meshes"][0]["faces"] == 1);
     CHECK(json["images"][0]["path"] == "scene/t.bmp");
-    CHECK(json["materials"][0]["noise"]["color1"] == nlohmann::json({1.0, 1.0, 1.0}));
+    CHECK(json["materials"][0]["noise"]["color1"] == nlohmann::ordered_json({1.0, 1.0, 1.0}));
     CHECK(json["triangles"][0]["keys"][0].size() == 3);
 }
 
