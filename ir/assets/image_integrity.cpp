@@ -74,7 +74,10 @@ std::string bmp_damage(std::string_view bytes) {
     const auto height = static_cast<std::uint64_t>(std::abs(raw_height));
     const std::uint64_t bits = little(bytes, old ? 24 : 28, 2);
     if (bytes.size() < 14 + header) return kCutShort;
-    if (bits == 0 || bits > 32) return "it claims " + std::to_string(bits) + " bits a pixel";
+    // Below 8 bits, pixels fill bytes: they do not straddle two.
+    if (bits == 0 || bits > 32 || (bits < 8 && 8 % bits != 0)) {
+        return "it claims " + std::to_string(bits) + " bits a pixel";
+    }
     // Width and height are below 2^32 and 2^31, so neither product overflows 64 bits.
     const std::uint64_t row = (width * bits + 31) / 32 * 4;
     if (offset > bytes.size() || (height > 0 && row > (bytes.size() - offset) / height)) {

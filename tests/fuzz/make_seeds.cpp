@@ -13,6 +13,15 @@
 
 #include "renderer/picture/picture_io.hpp"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,6 +105,18 @@ std::string run_length_tga() {
            std::string("\x82\x10\x20\x30\x00\x40\x50\x60", 8);
 }
 
+std::string jpeg() {
+    std::string pixels;
+    for (int i = 0; i < 16 * 8 * 3; ++i) pixels += static_cast<char>(i);
+    std::string bytes;
+    const auto append = [](void* to, void* data, int size) {
+        static_cast<std::string*>(to)->append(static_cast<const char*>(data),
+                                              static_cast<std::size_t>(size));
+    };
+    stbi_write_jpg_to_func(append, &bytes, 16, 8, 3, pixels.data(), 50);
+    return bytes;
+}
+
 void pictures() {
     struct Kind {
         const char* ending;
@@ -116,6 +137,7 @@ void pictures() {
     }
     for (const char* folder : {"image", "picture"}) {
         save(folder, "palette.bmp", palette_bmp());
+        save(folder, "color.jpg", jpeg());
         save(folder, "run_length.tga", run_length_tga());
     }
 }

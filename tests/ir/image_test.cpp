@@ -128,6 +128,9 @@ TEST_CASE("damaged files are told in plain words") {
         bmp_header(2, 1, 8, 2) + std::string(8, 'a') + std::string("\0\x02\0\0", 4);
     CHECK(reason(palette) == "a pixel is beyond its palette");
     CHECK(reason("BM" + std::string(60, '\0')) == "it claims 0 bits a pixel");
+    std::string odd = palette;
+    odd[28] = 3;
+    CHECK(reason(odd) == "it claims 3 bits a pixel");
     std::string runs = bmp_header(2, 1, 8, 2) + std::string(12, '\0');
     runs[30] = 1;  // run-length compression
     CHECK(reason(runs) == "it is of a kind of BMP that cannot be read");
