@@ -49,8 +49,8 @@ std::string bmp_header(std::uint32_t width, std::uint32_t height, std::uint32_t 
                        std::uint32_t palette) {
     const std::uint32_t offset = 54 + 4 * palette;
     return "BM" + little(0, 8) + little(offset, 4) + little(40, 4) + little(width, 4) +
-           little(height, 4) + little(1, 2) + little(bits, 2) + little(0, 16) + little(palette, 4) +
-           little(0, 4);
+           little(height, 4) + little(1, 2) + little(bits, 2) + little(0, 8) + little(0, 8) +
+           little(palette, 4) + little(0, 4);
 }
 
 }  // namespace cobble::test
