@@ -196,6 +196,71 @@ TEST_CASE("glass: Schlick's reflectance head on, and the index of air behind it"
     CHECK(red(scene, settings) == 0);
 }
 
+TEST_CASE("glass: a slab lets 64/81 through head on, and shifts what is seen askew") {
+    ir::Scene scene = plain_scene(Compat::kA5);
+    scene.lights.clear();
+    scene.background.ambient = {1, 1, 1};
+    scene.background.color = {};
+    scene.materials[0].diffuse = {};
+    scene.materials[0].specular = {1, 1, 1};
+    scene.materials[0].refraction_index = 2;
+    add_wall(scene, 0);
+    add_wall(scene, -1, 0, -1);
+    scene.materials.push_back({});
+    scene.materials[1].diffuse = {1, 0, 0};
+    const auto add_ball = [&scene](math::Vec3d center) {
+        ir::Object object;
+        object.shape = static_cast<std::uint32_t>(scene.spheres.size());
+        object.material = {1};
+        scene.objects.push_back(object);
+        scene.spheres.push_back({{{center, 0.05}}});
+    };
+    // A ray of slope 1 meets the glass at x = 5; sin t = sin i / 2 = 0.35355, tan t = 0.37796; it
+    // goes on with slope 1 from x = 5.37796 at z = -1.
+    add_ball({0, 0, -3});
+    add_ball({5 + 0.377964 + 2, 0, -3});
+    Settings settings = sized(5, 5);
+    settings.bounces = 2;
+    const Plane32 color = test::render(scene, settings, 1).color;
+    CHECK(color.at(2, 2, 0) == doctest::Approx(64.0 / 81));
+    // Schlick with the cosine in air, 1 / sqrt 2, both times.
+    const double reflectance = 1.0 / 9 + 8.0 / 9 * std::pow(1 - 1 / std::sqrt(2.0), 5);
+    CHECK(color.at(4, 2, 0) == doctest::Approx((1 - reflectance) * (1 - reflectance)));
+    CHECK(color.at(0, 2, 0) == 0);
+}
+
+TEST_CASE("glass: beyond the critical angle all is mirrored") {
+    // The camera is inside: the face it looks at is left, from index 1 (the program keeps no
+    // account) into air; so begin outside, through a face that the ray crosses head on.
+    ir::Scene scene = plain_scene(Compat::kA5);
+    scene.lights.clear();
+    scene.background.ambient = {1, 1, 1};
+    scene.background.color = {};
+    scene.materials[0].diffuse = {};
+    scene.materials[0].specular = {1, 1, 1};
+    scene.materials[0].refraction_index = 2;
+    add_wall(scene, 0);
+    // A slanted face, 45 degrees: sin = 0.707 times 2 is above 1, so the ray turns to -x.
+    ir::Plane slanted;
+    slanted.normal = math::normalize(math::Vec3d{1, 0, -1});
+    slanted.offset = math::dot(slanted.normal, {0, 0, -1});
+    ir::Object object;
+    object.kind = ir::ShapeKind::kPlane;
+    object.shape = 1;
+    object.material = {0};
+    scene.planes.push_back(slanted);
+    scene.objects.push_back(object);
+    scene.materials.push_back({});
+    scene.materials[1].diffuse = {1, 0, 0};
+    ir::Object ball;
+    ball.material = {1};
+    scene.objects.push_back(ball);
+    scene.spheres.push_back({{{{-2, 0, -1}, 0.1}}});
+    Settings settings = sized(3, 3);
+    settings.bounces = 2;
+    CHECK(red(scene, settings) == doctest::Approx(8.0 / 9));
+}
+
 TEST_CASE("only meshes have texture coordinates, and 2016 has no textures") {
     const auto with = [](Compat compat, bool mesh) {
         ir::Scene scene = plain_scene(compat);
