@@ -61,7 +61,8 @@ const DiagnosticCode kUnexpectedBraces(
 const DiagnosticCode kBadLabel(
     "bad-label", Severity::kError, "a label cannot be used here",
     "A label is a letter or underscore and then letters, digits, underscores and hyphens, without "
-    "quotes, and no word of the language. Cameras, lights, materials, objects, Group and Transform "
+    "quotes, no word of the language, and on the line of the block's name. Cameras, lights, "
+    "materials, objects, Group and Transform "
     "may have one.",
     "Materials {\n    PhongMaterial 1st {\n    }\n}\n",
     "Choose a label such as `first`, or remove it.");
@@ -243,7 +244,13 @@ bool accept_label(const BlockRow& row, TokenId label, Reporter& reporter) {
         finding.fixes.push_back({"remove the label", true, {{reporter.span(removed), ""}}});
         return false;
     }
-    if (reporter.tokens().kind(label) == TokenKind::kWord && is_label(text)) return true;
+    if (reporter.tokens().kind(label) == TokenKind::kWord && is_label(text)) {
+        if (!reporter.tokens().line_ends_after({label.value - 1})) return true;
+        reporter.add(kBadLabel, label,
+                     fmt::format("the label {} does not stand on the line of its '{}'",
+                                 quoted(text), row.name));
+        return true;
+    }
     reporter.add(kBadLabel, label, fmt::format("{} cannot be a label", quoted(text)))
         .notes.emplace_back(
             "a label is a letter or underscore, then letters, digits, underscores "

@@ -22,7 +22,7 @@ void report_misplaced(const CstNode& node, const grammar::BlockRow& row,
 /// `Translate { 1 0 0 }`: braces where only values may stand.
 void report_inline_braces(const CstNode& node, Reporter& reporter);
 
-/// True if the block may have this label and it is well formed; reports if not.
+/// True if the block may have this label and it is well formed. Reports what is wrong with it.
 bool accept_label(const grammar::BlockRow& row, TokenId label, Reporter& reporter);
 
 }  // namespace cobble::frontend

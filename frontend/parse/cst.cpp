@@ -11,9 +11,8 @@ bool is_brace(const Tokens& tokens, std::uint32_t token) {
     return token < tokens.size() && tokens.kind({token}) == TokenKind::kOpenBrace;
 }
 
-// Whether the token after a block's name is its label.
+// Whether the token after a block's name is its label. It should stand on the name's line.
 bool may_be_label(const Tokens& tokens, std::uint32_t token) {
-    if (tokens.line_ends_after({token - 1})) return false;
     switch (tokens.kind({token})) {
         case TokenKind::kOpenBrace:
         case TokenKind::kCloseBrace:
@@ -22,7 +21,7 @@ bool may_be_label(const Tokens& tokens, std::uint32_t token) {
         case TokenKind::kWord:
             return !grammar::is_vocabulary_name(tokens.text_of({token}));
         default:
-            return true;
+            return !tokens.line_ends_after({token - 1});
     }
 }
 
@@ -40,8 +39,10 @@ TokenId label_of(const Tokens& tokens, const CstNode& block) {
     const std::uint32_t first = block.first_token;
     const TokenId brace = open_brace_of(tokens, block);
     if (brace.valid()) return brace.value == first + 2 ? TokenId{first + 1} : TokenId{};
+    if (block.end_token == first + 1) return {};
     // Without a brace only a word that can be nothing else is a label.
     if (tokens.kind({first + 1}) != TokenKind::kWord || !may_be_label(tokens, first + 1)) return {};
+    if (tokens.line_ends_after({first})) return {};
     return is_label(tokens.text_of({first + 1})) ? TokenId{first + 1} : TokenId{};
 }
 

@@ -62,7 +62,8 @@ struct Cst {
 /// which has no members either).
 TokenId open_brace_of(const Tokens& tokens, const CstNode& block);
 
-/// The label of a block as it stands in the file, well formed or not, or an invalid id.
+/// The label of a block as it stands in the file, well formed and on the name's line or not, or an
+/// invalid id.
 TokenId label_of(const Tokens& tokens, const CstNode& block);
 
 /// Builds the tree. Cost: one pass over the tokens, any depth of nesting, no recursion.

@@ -13,6 +13,10 @@ std::optional<std::string_view> indent_of(const Tokens& tokens, std::uint32_t to
     return before.starts_with("\xEF\xBB\xBF") ? before.substr(3) : before;
 }
 
+bool is_deeper(std::string_view indent, std::string_view than) {
+    return indent.size() > than.size() && indent.starts_with(than);
+}
+
 bool stands_beside(const Tokens& tokens, std::uint32_t item, std::uint32_t opener,
                    std::uint32_t first_child) {
     const auto indent = indent_of(tokens, item);
@@ -24,11 +28,11 @@ bool close_looks_extra(const Tokens& tokens, std::uint32_t opener, std::uint32_t
                        std::uint32_t item) {
     const auto of_opener = indent_of(tokens, opener);
     const auto of_brace = indent_of(tokens, brace);
-    if (of_brace && of_brace != of_opener) return true;
-    // A } that ends a line of other things, or stands like its opener, is extra only if what
-    // follows is not where the next block should be.
     const auto of_item = indent_of(tokens, item);
-    return !of_item || of_item != of_opener;
+    const bool item_is_inside = of_opener && of_item && is_deeper(*of_item, *of_opener);
+    if (of_brace) return of_opener && (is_deeper(*of_brace, *of_opener) || item_is_inside);
+    // A } behind other things: what follows goes on with the same line, or is indented as inside.
+    return !of_item || item_is_inside;
 }
 
 }  // namespace cobble::frontend

@@ -14,6 +14,9 @@ namespace cobble::frontend {
 /// Indentations are compared as texts, so that tabs and spaces need no common width.
 std::optional<std::string_view> indent_of(const Tokens& tokens, std::uint32_t token);
 
+/// True if `indent` is `than` and more of tabs or blanks. Other mixtures of the two say nothing.
+bool is_deeper(std::string_view indent, std::string_view than);
+
 /// True if `item` stands on a line of its own, indented like the block that begins at `opener` and
 /// not like that block's first child.
 bool stands_beside(const Tokens& tokens, std::uint32_t item, std::uint32_t opener,

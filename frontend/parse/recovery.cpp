@@ -20,7 +20,7 @@ struct Level {
     Indent indent;
     Indent child_indent;  ///< of the first child
     bool has_child;
-    bool has_object;  ///< a block that is no transform: what a Transform is for
+    bool has_object;  ///< what a Transform is for
 };
 
 enum class Wanted : std::uint8_t { kMissing, kExtra };
@@ -42,12 +42,13 @@ class Search {
             if (!top.has_child) {
                 top.has_child = true;
                 top.child_indent = indent;
-            } else if (wanted_ == Wanted::kMissing && stands_beside_top(indent) &&
+            } else if (wanted_ == Wanted::kMissing &&
+                       (stands_beside_top(indent) || is_second_object(node)) &&
                        fits_beside_top(node)) {
                 return found_at(node.first_token, i);
             }
             if (is_block(node)) {
-                if (holds_object(node)) top.has_object = true;
+                if (is_object(node)) top.has_object = true;
                 enter(i);
             }
         }
@@ -97,8 +98,7 @@ class Search {
     [[nodiscard]] bool stands_deeper(std::uint32_t brace, const Indent& indent) const {
         const Level& top = levels_.back();
         if (!top.indent) return false;
-        // Deeper, and by the same tabs and blanks: other mixtures say nothing.
-        if (indent) return indent->size() > top.indent->size() && indent->starts_with(*top.indent);
+        if (indent) return is_deeper(*indent, *top.indent);
         // `} }` at the end of several lines.
         if (tokens_.kind({brace - 1}) != TokenKind::kCloseBrace) return false;
         const std::uint32_t begin = tokens_.tokens[cst_.nodes[top.node].first_token].begin;
@@ -107,9 +107,18 @@ class Search {
                std::string_view::npos;
     }
 
-    [[nodiscard]] bool holds_object(const CstNode& node) const {
+    [[nodiscard]] bool is_object(const CstNode& node) const {
         const BlockRow* row = row_of(node);
-        return row != nullptr && row->role != grammar::Role::kMove;
+        return row != nullptr &&
+               (row->role == grammar::Role::kObject || row->role == grammar::Role::kGroup ||
+                row->role == grammar::Role::kTransform);
+    }
+
+    // A Transform moves one object: a second one was meant to stand behind it.
+    [[nodiscard]] bool is_second_object(const CstNode& node) const {
+        const Level& top = levels_.back();
+        return top.has_object && top.row != nullptr && top.row->role == grammar::Role::kTransform &&
+               is_block(node) && is_object(node);
     }
 
     [[nodiscard]] bool stands_beside_top(const Indent& item) const {

@@ -55,11 +55,15 @@ bool TokenInput::at_block_name() {
 }
 
 bool TokenInput::at_label() {
-    if (!brace_follows() || !on_line_of_previous()) return false;
-    if (kind_at(current_) == TokenKind::kWord && word().valid()) return false;
-    // After the name of a field it is an unknown block, not a label.
+    if (!brace_follows()) return false;
+    const bool is_word = kind_at(current_) == TokenKind::kWord;
+    if (is_word && word().valid()) return false;
+    // After the name of a field it is an unknown block, not a label; and on another line only a
+    // block that surely has braces can have meant it.
     const auto previous = grammar::find_word(tokens_.text_of({current_ - 1}));
-    return !previous.valid() || grammar::block_named(previous) != nullptr;
+    const BlockRow* row = grammar::block_named(previous);
+    if (on_line_of_previous()) return !previous.valid() || row != nullptr;
+    return row != nullptr && has_braces(*row) && is_word;
 }
 
 bool TokenInput::at_bare_label() {
