@@ -56,22 +56,62 @@ bool finite(math::Vec3d v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Clamped to [0, 1] and decoded. Sets aside a count of what was clamped.
-LinearImage linear_image(const Plane32& plane, bool light, std::uint64_t& clamped) {
-    LinearImage image{plane.width, plane.height, {}};
-    const std::size_t pixels = std::size_t{plane.width} * plane.height;
-    image.pixels.reserve(pixels);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        math::Vec3d pixel = pixel_of(plane, i);
-        if (!finite(pixel)) pixel = {};
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double inside = std::clamp(pixel[c], 0.0, 1.0);
-            if (inside != pixel[c] && c < plane.channels) ++clamped;
-            pixel[c] = light ? inside : light_of_display(inside);
+/// Rows of both pictures that are worked on at once.
+struct Band {
+    std::size_t first, end;  ///< whose differences are wanted
+    std::size_t from, to;    ///< which they depend on
+};
+
+/// Some 200 bytes a pixel are in use at once: bands keep that below half a gigabyte.
+constexpr std::size_t kBandRows = 256;
+
+std::vector<Band> bands_of(std::size_t height, std::size_t reach) {
+    std::vector<Band> bands;
+    for (std::size_t first = 0; first < height; first += kBandRows) {
+        const std::size_t end = std::min(first + kBandRows, height);
+        bands.push_back(
+            {first, end, first - std::min(first, reach), std::min(end + reach, height)});
+    }
+    return bands;
+}
+
+/// The band's pixels, clamped to [0, 1] and decoded. Adds what was clamped in its own rows.
+LinearImage linear_image(const Plane32& plane, const Band& band, bool light,
+                         std::uint64_t& clamped) {
+    LinearImage image{plane.width, band.to - band.from, {}};
+    image.pixels.reserve(image.width * image.height);
+    for (std::size_t y = band.from; y < band.to; ++y) {
+        const bool own = y >= band.first && y < band.end;
+        for (std::size_t x = 0; x < plane.width; ++x) {
+            math::Vec3d pixel = pixel_of(plane, y * plane.width + x);
+            if (!finite(pixel)) pixel = {};
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double inside = std::clamp(pixel[c], 0.0, 1.0);
+                if (own && inside != pixel[c] && c < plane.channels) ++clamped;
+                pixel[c] = light ? inside : light_of_display(inside);
+            }
+            image.pixels.push_back(pixel);
         }
-        image.pixels.push_back(pixel);
     }
     return image;
+}
+
+void add_flip(const Plane32& a, const Plane32& b, const CompareOptions& options,
+              Comparison& result) {
+    result.map = {a.width, a.height, 1, {}};
+    result.map.values.reserve(std::size_t{a.width} * a.height);
+    for (const Band& band : bands_of(a.height, flip_reach(options.pixels_per_degree))) {
+        const LinearImage image_a = linear_image(a, band, options.light_a, result.clamped);
+        const LinearImage image_b = linear_image(b, band, options.light_b, result.clamped);
+        const std::vector<double> all = flip(image_a, image_b, options.pixels_per_degree);
+        const std::size_t skipped = (band.first - band.from) * a.width;
+        for (std::size_t i = skipped; i < skipped + (band.end - band.first) * a.width; ++i) {
+            result.flip += all[i];
+            result.flip_maximum = std::max(result.flip_maximum, all[i]);
+            result.map.values.push_back(static_cast<float>(all[i]));
+        }
+    }
+    result.flip /= static_cast<double>(result.map.values.size());
 }
 
 void add_differences(const Plane32& a, const Plane32& b, Comparison& result) {
@@ -116,18 +156,7 @@ Comparison compare(const Plane32& a, const Plane32& b, const CompareOptions& opt
     if (!result.error.empty()) return result;
     result.pixels_per_degree = options.pixels_per_degree;
     add_differences(a, b, result);
-
-    const LinearImage image_a = linear_image(a, options.light_a, result.clamped);
-    const LinearImage image_b = linear_image(b, options.light_b, result.clamped);
-    const std::vector<double> differences = flip(image_a, image_b, options.pixels_per_degree);
-    result.map = {a.width, a.height, 1, {}};
-    result.map.values.reserve(differences.size());
-    for (const double difference : differences) {
-        result.flip += difference;
-        result.flip_maximum = std::max(result.flip_maximum, difference);
-        result.map.values.push_back(static_cast<float>(difference));
-    }
-    result.flip /= static_cast<double>(differences.size());
+    add_flip(a, b, options, result);
     return result;
 }
 

@@ -100,11 +100,15 @@ constexpr double kQc = 0.7;
 constexpr double kPc = 0.4;
 constexpr double kPt = 0.95;
 
+std::size_t sensitivity_radius(double pixels_per_degree) {
+    const double deviation = std::sqrt(kWidest / (2 * math::kPi * math::kPi));
+    return static_cast<std::size_t>(std::ceil(3 * deviation * pixels_per_degree));
+}
+
 /// One component of an image, blurred as the eye blurs it.
 Grid seen(const Grid& grid, const Sensitivity& sensitivity, double pixels_per_degree) {
     constexpr double kPi2 = math::kPi * math::kPi;
-    const auto radius = static_cast<std::size_t>(
-        std::ceil(3 * std::sqrt(kWidest / (2 * kPi2)) * pixels_per_degree));
+    const std::size_t radius = sensitivity_radius(pixels_per_degree);
     // A Gaussian of two variables is the product of two of one; so is its sum over the square.
     const auto kernel_of = [&](double b) {
         return sampled_kernel(radius, [&](double x) {
@@ -169,6 +173,14 @@ double redistributed(double difference, double largest) {
 constexpr double kFeatureWidth = 0.082;
 constexpr double kQf = 0.5;
 
+double feature_deviation(double pixels_per_degree) {
+    return 0.5 * kFeatureWidth * pixels_per_degree;
+}
+
+std::size_t feature_radius(double pixels_per_degree) {
+    return static_cast<std::size_t>(std::ceil(3 * feature_deviation(pixels_per_degree)));
+}
+
 struct Features {
     Grid edges, points;
 };
@@ -186,9 +198,9 @@ Features features_of(const LinearImage& image, double pixels_per_degree) {
     for (std::size_t i = 0; i < grey.values.size(); ++i) {
         grey.values[i] = (opponent_of(image.pixels[i]).x + 16) / 116;
     }
-    const double deviation = 0.5 * kFeatureWidth * pixels_per_degree;
+    const double deviation = feature_deviation(pixels_per_degree);
     const double variance = deviation * deviation;
-    const auto radius = static_cast<std::size_t>(std::ceil(3 * deviation));
+    const std::size_t radius = feature_radius(pixels_per_degree);
     const auto gauss = [variance](double x) { return math::exp(-x * x / (2 * variance)); };
     Kernel blur = sampled_kernel(radius, gauss);
     blur.scale(1 / blur.sum());
@@ -207,6 +219,10 @@ Features features_of(const LinearImage& image, double pixels_per_degree) {
 
 double light_of_display(double display) {
     return display <= 0.04045 ? display / 12.92 : math::pow((display + 0.055) / 1.055, 2.4);
+}
+
+std::size_t flip_reach(double pixels_per_degree) {
+    return std::max(sensitivity_radius(pixels_per_degree), feature_radius(pixels_per_degree));
 }
 
 std::vector<double> flip(const LinearImage& reference, const LinearImage& test,

@@ -21,6 +21,9 @@ struct LinearImage {
 /// IEC 61966-2-1: a display value in [0, 1] as light in [0, 1].
 double light_of_display(double display);
 
+/// How many pixels away a pixel still matters: the reach of the widest filter.
+std::size_t flip_reach(double pixels_per_degree);
+
 /// The difference at each pixel, in [0, 1]. Images of one size, at least one pixel.
 std::vector<double> flip(const LinearImage& reference, const LinearImage& test,
                          double pixels_per_degree);

@@ -3,10 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "renderer/metrics/convolve.hpp"
+#include "renderer/metrics/flip.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -135,6 +137,41 @@ TEST_CASE("the map shows where") {
     CHECK(result.map.at(10, 32, 0) == static_cast<float>(result.flip_maximum));
     CHECK(result.map.at(50, 10, 0) == 0);
     CHECK(result.differing == 1);
+}
+
+TEST_CASE("tall pictures are worked on in bands, which does not show") {
+    // 600 rows are three bands; the whole at once is the reference.
+    Plane32 a{9, 600, 3, {}};
+    Plane32 b{9, 600, 3, {}};
+    LinearImage whole_a{9, 600, {}};
+    LinearImage whole_b{9, 600, {}};
+    std::uint32_t state = 1;
+    const auto next = [&state] {
+        return static_cast<float>((state = state * 69069 + 1) >> 8) * 0x1p-24F;
+    };
+    for (std::size_t i = 0; i < 9 * 600; ++i) {
+        math::Vec3d pixel;
+        for (std::size_t c = 0; c < 3; ++c) {
+            a.values.push_back(next());
+            pixel[c] = static_cast<double>(a.values.back());
+        }
+        whole_a.pixels.push_back(pixel);
+        for (std::size_t c = 0; c < 3; ++c) {
+            b.values.push_back(1.5F * next());
+            pixel[c] = std::min(1.0, static_cast<double>(b.values.back()));
+        }
+        whole_b.pixels.push_back(pixel);
+    }
+    const Comparison result = compare(a, b, {67, true, true});
+    const std::vector<double> whole = flip(whole_a, whole_b, 67);
+    std::uint64_t outside = 0;
+    for (const float value : b.values) outside += value > 1 ? 1 : 0;
+    CHECK(result.clamped == outside);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        differing += result.map.values[i] == static_cast<float>(whole[i]) ? 0 : 1;
+    }
+    CHECK(differing == 0);
 }
 
 TEST_CASE("NaN and infinity are counted, not summed") {
