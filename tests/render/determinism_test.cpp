@@ -9,37 +9,12 @@
 #include <vector>
 
 #include "renderer/job/fp_environment.hpp"
-#include "tests/render/scene_builder.hpp"
+#include "tests/render/everything.hpp"
 
 using namespace cobble;
 using namespace cobble::test;
 
 namespace {
-
-/// Something of every effect.
-SceneBuilder everything() {
-    SceneBuilder b;
-    b.background({0.3, 0.4, 0.6}, {0.1, 0.1, 0.1});
-    b.camera({0, 2, 8}, {0, -0.2, -1}, 0.7).lens(0.2, 8, 6).shutter(0, 1);
-    ir::Image checks;
-    checks.width = checks.height = 4;
-    for (int i = 0; i < 48; ++i) checks.bytes.push_back(static_cast<std::uint8_t>((37 * i) % 256));
-    const ir::ImageId image = b.image(checks);
-    ir::Material& floor = b.material({0.8, 0.6, 0.4}, {0.1, 0.1, 0.1}, 10);
-    floor.texture = image;
-    floor.normal_map = image;
-    b.plane({0, 1, 0}, 0);
-    ir::Material& marble = b.material({1, 1, 1});
-    marble.has_noise = true;
-    marble.noise = {{1, 1, 1}, {0.2, 0.1, 0.1}, 5, 4, 3};
-    b.moving_sphere({-1.5, 1, 0}, {-1.2, 1.3, 0.2}, 0.9);
-    b.material({0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}, 40, 1.5);
-    b.sphere({1.3, 1, 1}, 0.9);
-    b.box({-0.5, 0, 2}, {0.4, 0.8, 3});
-    b.point_light({-3, 6, 4}, {0.7, 0.7, 0.7}, 0.5, 0.01);
-    b.sun({0.4, -1, -0.3}, {0.3, 0.3, 0.3}, 0.05);
-    return b;
-}
 
 renderer::Settings full(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
     renderer::Settings s = settings(width, height, samples);
