@@ -86,6 +86,7 @@ class Lowering {
         scene.background.cube_map = background_map_;
         add_materials();
         for (const BlockNodeId block : objects_) add_object(block);
+        shapes_.finish();
         scene.images = assets_.take_images();
         scene.cube_maps = std::move(assets_.cube_maps());
         if (keep_) fold_constants(scene);

@@ -126,27 +126,44 @@ std::optional<Keys> ShapeBuilder::placement(std::uint32_t frame) {
     return placed.keys;
 }
 
-/// What lies in the box [low, high] of the object (after `local`) is, between two keys, seen where
-/// the interpolated inverse puts it. Both ways are affine, so their distance is largest at a
-/// corner.
-void ShapeBuilder::chord_of_instance(std::uint32_t frame, const Keys& keys, Vec3d low, Vec3d high,
-                                     const Affined& local) {
-    for (std::uint32_t k = 0; k + 1 < keys.count; ++k) {
-        const Affined& a = scene_.placements[keys.first + k].world_to_object;
-        const Affined& b = scene_.placements[keys.first + k + 1].world_to_object;
-        Affined middle;
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t j = 0; j < 4; ++j) {
-                middle.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], 0.5);
+void ShapeBuilder::note_instance(std::uint32_t frame, Vec3d low, Vec3d high) {
+    if (!frames_.frame(frame).moving || !finite(low) || !finite(high)) return;
+    auto& bounds = placed_[frame].moving_bounds;
+    if (!bounds) {
+        bounds = {low, high};
+        return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        bounds->first[i] = std::min(bounds->first[i], low[i]);
+        bounds->second[i] = std::max(bounds->second[i], high[i]);
+    }
+}
+
+/// Between two keys a point of the object is seen where the interpolated inverse puts it. That
+/// place and the true one are both affine in the point, so their distance is largest at a corner.
+void ShapeBuilder::finish() {
+    for (std::uint32_t frame = 0; frame < placed_.size(); ++frame) {
+        if (!placed_[frame].moving_bounds) continue;
+        const auto [low, high] = *placed_[frame].moving_bounds;
+        const Keys keys = placed_[frame].keys;
+        for (std::uint32_t k = 0; k + 1 < keys.count; ++k) {
+            const Affined& a = scene_.placements[keys.first + k].world_to_object;
+            const Affined& b = scene_.placements[keys.first + k + 1].world_to_object;
+            Affined middle;
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (std::size_t j = 0; j < 4; ++j) {
+                    middle.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], 0.5);
+                }
             }
-        }
-        const auto seen = invert(middle);
-        if (!seen) continue;
-        const Affined truth = frames_.map_between(frame, k) * local;
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const Vec3d p{(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                          (corner & 4) != 0 ? high.z : low.z};
-            note_chord(distance(seen->map.point(p), truth.point(p)));
+            const auto seen = invert(middle);
+            if (!seen) continue;
+            const Affined& truth = frames_.map_between(frame, k);
+            for (unsigned corner = 0; corner < 8; ++corner) {
+                const Vec3d p{(corner & 1) != 0 ? high.x : low.x,
+                              (corner & 2) != 0 ? high.y : low.y,
+                              (corner & 4) != 0 ? high.z : low.z};
+                note_chord(distance(seen->map.point(p), truth.point(p)));
+            }
         }
     }
 }
@@ -161,10 +178,10 @@ bool ShapeBuilder::sphere_instance(Vec3d center, double radius, std::uint32_t fr
     }
     const auto first = static_cast<std::uint32_t>(scene_.placements.size());
     const std::uint32_t count = frames_.keys(frame);
+    const Vec3d reach{radius, radius, radius};
+    note_instance(frame, center - reach, center + reach);
     if (!within_budget(count)) {
         out.placement = *placement(frame);
-        chord_of_instance(frame, out.placement, center - Vec3d{radius, radius, radius},
-                          center + Vec3d{radius, radius, radius}, {});
         scene_.spheres.push_back({{{center, radius}}});
         return true;
     }
@@ -178,7 +195,6 @@ bool ShapeBuilder::sphere_instance(Vec3d center, double radius, std::uint32_t fr
         scene_.placements.push_back({map, inverse->map});
     }
     out.placement = {first, count};
-    chord_of_instance(frame, out.placement, {-1, -1, -1}, {1, 1, 1}, local);
     scene_.spheres.push_back({{{Vec3d{}, 1.0}}});
     return true;
 }
@@ -229,7 +245,7 @@ bool ShapeBuilder::plane(const BlockView& view, std::uint32_t frame, Object& out
     if (!std::isfinite(plane.offset)) return false;
     if (frames_.frame(frame).moving) {
         const Vec3d foot = n * plane.offset;
-        chord_of_instance(frame, out.placement, foot, foot, {});
+        note_instance(frame, foot, foot);
     } else {
         const Placement& place = scene_.placements[out.placement.first];
         if (!is_identity(place.object_to_world)) {
@@ -264,7 +280,7 @@ bool ShapeBuilder::triangle(const BlockView& view, std::uint32_t frame, Object& 
     std::array<Vec3d, 3> written{vec(*a), vec(*b), vec(*c)};
     if (!within_budget(frames_.keys(frame))) {
         const auto [low, high] = bounds_of(written);
-        chord_of_instance(frame, out.placement, low, high, {});
+        note_instance(frame, low, high);
         scene_.triangles.push_back({{written}});
         return true;
     }
@@ -300,7 +316,7 @@ bool ShapeBuilder::box(const BlockView& view, std::uint32_t frame, Object& out) 
         if (!(box.min[i] < box.max[i])) return false;
     }
     if (frames_.frame(frame).moving) {
-        chord_of_instance(frame, out.placement, box.min, box.max, {});
+        note_instance(frame, box.min, box.max);
     } else if (const Affined& map = frames_.map(frame, 0); keeps_axes(map)) {
         if (!is_identity(map)) {
             box = {map.point(box.min), map.point(box.max)};
@@ -371,7 +387,7 @@ bool ShapeBuilder::place_mesh(std::uint32_t mesh, bool sole, BlockNodeId block, 
     if (mesh_bounds_.size() <= mesh) mesh_bounds_.resize(mesh + std::size_t{1});
     if (!mesh_bounds_[mesh]) mesh_bounds_[mesh] = bounds_of(m.positions);
     const auto [low, high] = *mesh_bounds_[mesh];
-    chord_of_instance(frame, *keys, low, high, {});
+    note_instance(frame, low, high);
     return true;
 }
 

@@ -47,6 +47,9 @@ class ShapeBuilder {
     /// The frame's placements, made at its first use. Nothing if it has no inverse at some key.
     std::optional<Keys> placement(std::uint32_t frame);
 
+    /// After the last object: adds the chord error of instances, once per frame for all of them.
+    void finish();
+
     /// The largest condition number among the frame's inverses; 0 before it is placed.
     [[nodiscard]] double condition(std::uint32_t frame) const { return placed_[frame].condition; }
 
@@ -56,6 +59,7 @@ class ShapeBuilder {
         bool tried = false;
         double condition = 0;
         bool mirrors = false;
+        std::optional<std::pair<math::Vec3d, math::Vec3d>> moving_bounds;
     };
 
     bool sphere(const frontend::BlockView& view, std::uint32_t frame, bool reads_uv, Object& out);
@@ -68,8 +72,8 @@ class ShapeBuilder {
     bool within_budget(std::uint32_t keys);
     void bake(Mesh& mesh, const Placement& place, bool mirrors);
     void note_chord(double distance);
-    void chord_of_instance(std::uint32_t frame, const Keys& keys, math::Vec3d low, math::Vec3d high,
-                           const math::Affined& local);
+    /// An instance of a moving frame lies in the box [low, high] of the frame.
+    void note_instance(std::uint32_t frame, math::Vec3d low, math::Vec3d high);
 
     const frontend::CheckedScene& checked_;
     const Frames& frames_;
@@ -77,8 +81,8 @@ class ShapeBuilder {
     std::vector<Placed> placed_;  ///< per frame
     std::vector<std::optional<std::pair<math::Vec3d, math::Vec3d>>> mesh_bounds_;
     std::size_t own_keys_ = 0;
-    // Of at most 200 bytes each: some 3 GiB.
-    static constexpr std::size_t kMaxOwnKeys = std::size_t{1} << 24;
+    // Of at most 192 bytes each (a placement): 800 MB.
+    static constexpr std::size_t kMaxOwnKeys = std::size_t{1} << 22;
 };
 
 }  // namespace cobble::ir

@@ -168,7 +168,8 @@ struct Scene {
     std::vector<Image> images;
     std::vector<CubeMap> cube_maps;
 
-    /// Largest distance between a true motion path and its segments, world units.
+    /// No point of a moving object strays further than this from its true path where that was
+    /// measured, halfway between keys; world units.
     double motion_chord_error = 0;
 };
 

@@ -331,6 +331,18 @@ TEST_CASE("motion is sampled at interpolated arguments") {
                                  files);
         CHECK(built.scene().spheres.at(0).keys.size() == 1);
     }
+    SUBCASE("very many moving objects share the keys of their frame") {
+        std::string objects = "Transform { YRotate 0 Motion { YRotate 15000 } Group {\n";
+        for (int i = 0; i < 5000; ++i) objects += "Sphere { center 3 0 0 radius 1 }\n";
+        const auto built = build(scene_of(objects + "} }"), files);
+        const Scene& scene = built.scene();
+        REQUIRE(scene.objects.size() == 5000);
+        CHECK(scene.spheres.front().keys.size() == 1025);
+        CHECK(scene.objects.front().placement.count == 0);
+        CHECK(scene.spheres.back().keys.size() == 1);
+        CHECK(scene.objects.back().placement.count == 1025);
+        CHECK(scene.placements.size() < 2000);
+    }
     SUBCASE("a hundred turns are said to be too many") {
         const auto built = build(scene_of("Transform { YRotate 0 Motion { YRotate 36000 }\n"
                                           "Sphere { center 1 0 0 radius 1 } }"),
