@@ -220,8 +220,22 @@ class Resolver {
         ++bare_count_;
     }
 
+    /// True if something in the groups around an object was meant to say what it is made of: a
+    /// misspelt MaterialIndex, or a material where older dialects had it, in the Group itself.
+    [[nodiscard]] bool material_was_meant(BlockNodeId object) const {
+        for (BlockNodeId at = context_.block(object).parent; at.valid();
+             at = context_.block(at).parent) {
+            if (context_.explained(at, "MaterialIndex")) return true;
+            for (const BlockNodeId child : context_.ast().children_of(at)) {
+                if (context_.row(child).role == grammar::Role::kMaterial) return true;
+            }
+        }
+        return false;
+    }
+
     void report_before_material() {
         if (!first_bare_.valid() || context_.ast().structure_broken) return;
+        if (material_was_meant(first_bare_)) return;
         auto& diagnostic = context_.report(
             kObjectBeforeMaterial, context_.name_span(first_bare_),
             fmt::format("{} stands before any MaterialIndex", context_.name(first_bare_)));

@@ -122,7 +122,7 @@ const DialectWord* find_dialect_word(std::string_view word, std::string_view blo
     for (const DialectWord& entry : kWords) {
         if (entry.word != word) continue;
         if (entry.block == place) return &entry;
-        if (elsewhere == nullptr && is_block_like(word)) elsewhere = &entry;
+        if (elsewhere == nullptr && is_block_like(word) && !place.empty()) elsewhere = &entry;
     }
     return elsewhere;
 }

@@ -41,8 +41,10 @@ std::span<const DialectWord> dialect_words();
 /// "the 2004 dialect" and so on, for messages.
 std::string_view name_of(Dialect dialect);
 
-/// The entry for `word` in `block` (a block's name, "" at the top level), or else the entry of any
-/// other block where that word is a block's name, or null. A linear search: for unknown names only.
+/// The entry for `word` in `block` (a block's name, "" at the top level), or else, inside a block,
+/// the entry of any other block where that word is a block's name, or null. At the top level
+/// `Light` is a misspelt `Lights`, whatever it is elsewhere. A linear search: for unknown names
+/// only.
 const DialectWord* find_dialect_word(std::string_view word, std::string_view block);
 
 /// The change that turns one entry into today's words, if it can be had from the entry alone: never

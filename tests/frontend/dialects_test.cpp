@@ -54,6 +54,8 @@ TEST_CASE("a word is found where it stands, a block's name anywhere") {
     CHECK(find_dialect_word("Cube", "Transform")->modern == "Box");
     CHECK(find_dialect_word("OrthographicCamera", "")->dialect == Dialect::k2004);
     CHECK(find_dialect_word("Sphere", "Group") == nullptr);
+    CHECK(find_dialect_word("Light", "Lights")->modern == "PointLight");
+    CHECK(find_dialect_word("Light", "") == nullptr);
 }
 
 TEST_CASE("the rewrites that one entry is enough for") {
