@@ -16,7 +16,7 @@ namespace {
 
 constexpr DialectWord kWords[] = {
 #define COBBLE_DIALECT(word, block, dialect, modern, rewrite, advice) \
-    {#word, block, Dialect::dialect, modern, Rewrite::rewrite, advice},
+    {#word, block, modern, advice, Dialect::dialect, Rewrite::rewrite},
 #include "frontend/names/dialects.def"
 };
 

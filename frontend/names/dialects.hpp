@@ -28,11 +28,11 @@ enum class Rewrite : std::uint8_t {
 
 struct DialectWord {
     std::string_view word;
-    std::string_view block;  ///< where it stands; "" is the top level, "Material" both spellings
-    Dialect dialect;
+    std::string_view block;   ///< where it stands; "" is the top level, "Material" both spellings
     std::string_view modern;  ///< the word of today, "" if there is none
-    Rewrite rewrite;
     std::string_view advice;  ///< a note: lower case, one sentence, no final stop
+    Dialect dialect;
+    Rewrite rewrite;
 };
 
 /// All words, those of one block together.
