@@ -21,6 +21,17 @@
 
 namespace cobble::renderer {
 
+namespace detail {
+
+/// Below this an edge function may have lost bits to underflow (or be exactly zero, the case that
+/// needs the exact sign): half way down the exponents of each type.
+template <typename T>
+inline constexpr T kEdgeThreshold = T(0x1p-100);
+template <>
+inline constexpr double kEdgeThreshold<double> = 0x1p-900;
+
+}  // namespace detail
+
 /// A ray's shear, once per ray.
 template <typename T>
 struct RayShear {
@@ -40,8 +51,18 @@ struct RayShear {
             kx = ky;
             ky = k;
         }
-        sx = along[kx] / along[kz];
-        sy = along[ky] / along[kz];
+        sx = slope(kx);
+        sy = slope(ky);
+    }
+
+  private:
+    /// A slope that would vanish beside any coordinate is none: its products would underflow, and
+    /// a triangle seen edge-on would be made of their rounding.
+    T slope(std::size_t axis) {
+        const T s = direction[axis] / direction[kz];
+        if (std::fabs(s) >= detail::kEdgeThreshold<T>) return s;
+        direction[axis] = 0;
+        return 0;
     }
 };
 
@@ -57,13 +78,6 @@ enum class EdgeRule : std::uint8_t {
 };
 
 namespace detail {
-
-/// Below this an edge function may have lost bits to underflow (or be exactly zero, the case that
-/// needs the exact sign): half way down the exponents of each type.
-template <typename T>
-inline constexpr T kEdgeThreshold = T(0x1p-100);
-template <>
-inline constexpr double kEdgeThreshold<double> = 0x1p-900;
 
 template <typename T>
 struct ShearedPoint {
