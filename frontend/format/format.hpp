@@ -13,9 +13,10 @@
 //
 // Kept: digits of numbers, a byte-order mark, the bytes from `// cobble-format off` to
 // `// cobble-format on` (or to the end of the file), and the innermost block around each syntax
-// error (the whole top-level block if it is a missing brace), with its own indentation. Line ends
-// that are written are all like the first in the file (LF, CRLF or lone CR; LF if there is none),
-// and the last line has one.
+// error (the whole top-level block if it is a missing brace), with its own indentation; broken
+// parts that share a line still share it, since line ends can decide what they are taken for. Line
+// ends that are written are all like the first in the file (LF, CRLF or lone CR; LF if there is
+// none), and the last line has one.
 #pragma once
 
 #include <cstdint>

@@ -118,14 +118,17 @@ class LayoutMaker {
                .blank_last = true,
                .blank_between = true};
         const bool stray = !is_block(static_cast<NodeKind>(node.kind)) && broken_[index];
-        if (stray) {
+        // Text that is no block keeps its line, also where a block follows on it, and so do two
+        // broken blocks: a line end may decide what the parser takes them for.
+        const bool keeps_line = stray || (node.first_token == stray_end_) ||
+                                (broken_[index] && node.first_token == broken_end_);
+        if (keeps_line) {
             gap.kind = GapKind::kStrayIndent;
         } else if (broken_[index]) {
             gap.kind = GapKind::kOwnIndent;
         }
-        // Text that is no block keeps its line also where a block follows on it.
-        if (after_stray_ && !stray) gap.kind = GapKind::kStrayIndent;
-        after_stray_ = stray;
+        if (broken_[index]) broken_end_ = node.end_token;
+        if (stray) stray_end_ = node.end_token;
     }
 
     void block(const CstNode& node) {
@@ -185,7 +188,8 @@ class LayoutMaker {
     Layout layout_;
     std::vector<bool> broken_;
     std::vector<Open> open_;
-    bool after_stray_ = false;
+    std::uint32_t broken_end_ = UINT32_MAX;  ///< the token after the last broken member
+    std::uint32_t stray_end_ = UINT32_MAX;   ///< the token after the last one that is no block
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ enum class GapKind : std::uint8_t {
     kSpace,       ///< one space, or a new line after a comment
     kLine,        ///< a new line
     kOwnIndent,   ///< a new line before broken text, which keeps its own indentation
-    kStrayIndent  ///< the same, but broken text at top level that goes on in a line stays there
+    kStrayIndent  ///< the same, but in the middle of a line it stays there
 };
 
 /// The gap before one token. Levels are already capped.

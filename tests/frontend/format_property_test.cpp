@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "frontend/check/check.hpp"
 #include "frontend/format/edits.hpp"
 #include "frontend/format/format.hpp"
 #include "frontend/lex/tokens.hpp"
@@ -61,6 +62,16 @@ bool holds(const std::string& text, const FormatResult& result) {
     return apply(text, result.text, line_edits(text, result.text)) == result.text;
 }
 
+/// What the checker says, without the places.
+std::vector<std::string> findings(std::string_view text) {
+    std::vector<std::string> messages;
+    for (const source::Diagnostic& diagnostic : check(source::SourceId{0}, text).diagnostics) {
+        messages.push_back(diagnostic.message);
+        for (const std::string& note : diagnostic.notes) messages.push_back(note);
+    }
+    return messages;
+}
+
 std::vector<std::string_view> lines_of(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -99,6 +110,7 @@ TEST_CASE("scenes format once and for all") {
         CAPTURE(result.refusal);
         CHECK(holds(text, result));
         CHECK(!result.left_alone);
+        CHECK(findings(text) == findings(result.text));
     }
 }
 
@@ -124,6 +136,12 @@ TEST_CASE("damaged scenes keep every token and comment") {
             CAPTURE(result.text);
             CAPTURE(result.refusal);
             FAIL_CHECK("a damaged scene is not formatted faithfully");
+        }
+        if (findings(text) != findings(result.text)) {
+            CAPTURE(run);
+            CAPTURE(text);
+            CAPTURE(result.text);
+            FAIL_CHECK("the checker says other things of the formatted text");
         }
         const std::uint32_t first = 1 + static_cast<std::uint32_t>(random.below(30));
         const std::uint32_t last = first + static_cast<std::uint32_t>(random.below(10));

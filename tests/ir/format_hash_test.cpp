@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Formatting a scene does not change what it means: the IR has the same hash, contents of textures
+// and meshes included.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "frontend/format/format.hpp"
+#include "ir/hash.hpp"
+#include "ir/lower.hpp"
+
+namespace cobble::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+class DiskFiles final : public source::FileSource {
+  public:
+    source::ReadResult read(std::string_view path, std::uint64_t) override {
+        if (!exists(path)) return {};
+        return {source::ReadStatus::kOk, contents(fs::path(path)), {}};
+    }
+    bool exists(std::string_view path) override { return fs::is_regular_file(fs::path(path)); }
+};
+
+std::string hash_of(const fs::path& path, const std::string& text) {
+    source::SourceMap sources;
+    const source::SourceId id = sources.add(path.string(), text);
+    const frontend::CheckedScene checked = frontend::check(id, sources.text(id));
+    CHECK(!checked.has_errors());
+    DiskFiles files;
+    return ir::hash(ir::lower(checked, sources, files).scene);
+}
+
+/// The same tokens on as few lines as comments allow: what formatting has to undo.
+std::string squeezed(const std::string& text) {
+    const frontend::Tokens tokens = frontend::lex(text);
+    std::string result;
+    std::size_t comment = 0;
+    for (std::uint32_t i = 0; i < tokens.size(); ++i) {
+        const frontend::ByteRange token = tokens.range({i});
+        for (; comment < tokens.comments.size() && tokens.comments[comment].begin < token.begin;
+             ++comment) {
+            const frontend::ByteRange range = tokens.comments[comment];
+            result.append("\n").append(text, range.begin, range.end - range.begin).append("\n");
+        }
+        result.append(" ").append(text, token.begin, token.end - token.begin);
+    }
+    return result;
+}
+
+TEST_CASE("a formatted scene has the hash of the scene") {
+    int scenes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(COBBLE_ROOT) / "scenes")) {
+        if (entry.path().extension() != ".scene") continue;
+        ++scenes;
+        CAPTURE(entry.path().string());
+        const std::string text = contents(entry.path());
+        const std::string tight = squeezed(text);
+        const std::string formatted = frontend::format(tight).text;
+        CHECK(formatted != tight);
+        const std::string hash = hash_of(entry.path(), text);
+        CHECK(hash_of(entry.path(), tight) == hash);
+        CHECK(hash_of(entry.path(), formatted) == hash);
+    }
+    CHECK(scenes >= 5);
+}
+
+}  // namespace
+}  // namespace cobble::test
