@@ -36,7 +36,7 @@ Flaw find_flaw(const Tokens& tokens, const Cst& cst, const Layout& layout,
         if (last < options.first_line) return {};
         options.last_line = static_cast<std::uint32_t>(last);
     }
-    // The same tokens and tree have the same layout: it need not be made again.
+    // A formatted text has the layout of its source: it need not be made again.
     if (!compare(again, layout, options, result).as_expected) {
         return {"formatting the result again changes it", true};
     }

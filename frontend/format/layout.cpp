@@ -22,16 +22,25 @@ bool is_wrong(const CstNode& node) {
     }
 }
 
+/// True if the block has a label that does not stand on the line of its name: an error that putting
+/// the two on one line would hide.
+bool has_far_label(const Tokens& tokens, const CstNode& node) {
+    const std::uint32_t next = node.first_token + 1;
+    return static_cast<NodeKind>(node.kind) == NodeKind::kBlock && next < node.end_token &&
+           tokens.kind({next}) != TokenKind::kOpenBrace &&
+           tokens.line_ends_after({node.first_token});
+}
+
 /// The nodes to leave as they are: the innermost block around each error, or the whole top-level
 /// block if a brace is missing in it, since then nobody knows what belongs to what.
-std::vector<bool> find_broken(const Cst& cst, bool& has_errors) {
+std::vector<bool> find_broken(const Tokens& tokens, const Cst& cst, bool& has_errors) {
     std::vector<bool> broken(cst.nodes.size(), false);
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 1; i < cst.nodes.size(); ++i) {
         const CstNode& node = cst.nodes[i];
         while (!open.empty() && i >= cst.nodes[open.back()].end_node) open.pop_back();
         const bool block = is_block(static_cast<NodeKind>(node.kind));
-        if (is_wrong(node)) {
+        if (is_wrong(node) || has_far_label(tokens, node)) {
             has_errors = true;
             const bool whole = node.unclosed != 0;
             if (open.empty()) {
@@ -63,7 +72,7 @@ class LayoutMaker {
   public:
     LayoutMaker(const Tokens& tokens, const Cst& cst) : tokens_(tokens), cst_(cst) {
         layout_.gaps.resize(tokens.size());
-        broken_ = find_broken(cst, layout_.has_errors);
+        broken_ = find_broken(tokens, cst, layout_.has_errors);
     }
 
     Layout make() {

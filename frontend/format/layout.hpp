@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where every token goes. Input: tokens and tree. Output: one record for the gap before each token
-// (the last is the end of the file). Invariant: looks at no white space, so that the same tokens in
-// the same tree have the same layout.
+// (the last is the end of the file). Invariant: looks at no white space but whether a label stands
+// on the line of its name, which formatting does not change, so that a formatted text has the
+// layout of its source.
 #pragma once
 
 #include <cstdint>
