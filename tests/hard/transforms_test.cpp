@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// Matrices, motion and what must not change an answer: rows 26, 27, 28, 29 and 41 of the hard
+// cases, and their metamorphic tests.
+#include <doctest/doctest.h>
+
+#include "renderer/accel/query.hpp"
+#include "tests/hard/scenes.hpp"
+
+namespace cobble::test {
+
+namespace {
+
+math::Affined random_map(Random& random, double spread) {
+    math::Affined shear;
+    shear.rows[0][1] = random.in(-1, 1);
+    const auto s = [&] { return std::pow(spread, random.in(-1, 1)); };
+    const Vec3d by{s(), -s(), s()};
+    return translation(random.point(3)) * rotation(random.direction(), random.in(0, 6)) * shear *
+           scaling(by) * rotation(random.direction(), random.in(0, 6));
+}
+
+/// A mesh, spheres, triangles and boxes, as numbers that float holds with bits to spare.
+ir::Scene plain_scene(double scale, Vec3d offset, bool reversed) {
+    Random random(77);
+    const auto coarse = [&](double half) {
+        const Vec3d p = random.point(half);
+        return Vec3d{std::floor(p.x * 1024) / 1024, std::floor(p.y * 1024) / 1024,
+                     std::floor(p.z * 1024) / 1024};
+    };
+    SceneMaker make;
+    make.scene.camera.center = offset + Vec3d{0, 0, 4} * scale;
+    const auto at = [&](Vec3d p) { return offset + p * scale; };
+    for (int i = 0; i < 100; ++i) {
+        const Vec3d a = coarse(2);
+        const Vec3d b = coarse(2);
+        const Vec3d c = coarse(2);
+        if (reversed) {
+            make.triangle(at(a), at(c), at(b));
+        } else {
+            make.triangle(at(a), at(b), at(c));
+        }
+        if (i % 5 == 0) make.sphere(at(c), 0.25 * scale);
+        if (i % 7 == 0) make.box(at(b), at(b + Vec3d{0.25, 0.5, 0.125}));
+    }
+    return make.scene;
+}
+
+}  // namespace
+
+TEST_CASE("row 26: the inverse's residual is that of rounding, and a singular map has none") {
+    Random random(26);
+    double worst = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const auto map = random_map(random, i % 2 == 0 ? 1e3 : 30);
+        const auto inverse = math::inverse(map);
+        REQUIRE(inverse);
+        const auto product = map * *inverse;
+        const double condition = math::condition(map, *inverse);
+        for (std::size_t r = 0; r < 3; ++r) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double off = std::fabs(product.rows[r][c] - (r == c ? 1 : 0));
+                worst = std::max(worst, off / (64 * 0x1p-53 * condition));
+            }
+        }
+    }
+    CHECK(worst <= 1);
+    CHECK(math::inverse(scaling({1e-6, 1, 1e6})));
+    CHECK(math::inverse(scaling({1e-200, 1e200, 1})));
+    CHECK(!math::inverse(scaling({1, 0, 1})));
+    CHECK(!math::inverse(scaling({1, std::numeric_limits<double>::quiet_NaN(), 1})));
+    math::Affined flat;
+    flat.rows = {{{1, 2, 3, 0}, {2, 4, 6, 0}, {1, 1, 1, 0}}};
+    CHECK(!math::inverse(flat));
+}
+
+TEST_CASE("row 27: normals stay perpendicular and outside under uneven scale and mirrors") {
+    Random random(27);
+    renderer::Counters counters;
+    double worst = 0;
+    int hits = 0;
+    int inward = 0;
+    for (int i = 0; i < 200; ++i) {
+        const auto map = random_map(random, 4);
+        SceneMaker make;
+        const Solid solid = icosphere(1);
+        make.mesh(solid);
+        make.place_last({map});
+        const auto scene = renderer::prepare<float>(make.scene);
+        const Vec3d center = map.point({});
+        for (int k = 0; k < 50; ++k) {
+            renderer::Ray<float> r;
+            r.origin = scene.to_local(center + random.direction() * 100);
+            r.direction = scene.to_local(map.point(random.point(0.5))) - r.origin;
+            const auto hit = closest_hit(scene, r, {}, counters);
+            if (!hit) continue;
+            ++hits;
+            const auto s = surface_at(scene, r, hit);
+            const Vec3d n = s.geometric_normal.to<double>();
+            const auto& f = solid.faces[hit.face];
+            const Vec3d e = normalize(map.vector(solid.positions[f[1]] - solid.positions[f[0]]));
+            // The map itself was narrowed: its rounding tilts edges by the condition's worth.
+            const double condition = math::condition(map, *math::inverse(map));
+            worst = std::max(worst, std::fabs(dot(n, e)) / (4 * 0x1p-23 * condition));
+            inward += dot(n, map.point((solid.positions[f[0]] + solid.positions[f[1]] +
+                                        solid.positions[f[2]]) /
+                                       3.0) -
+                                 center) > 0
+                          ? 0
+                          : 1;
+        }
+    }
+    CHECK(hits > 8000);
+    CHECK(worst <= 1);
+    CHECK(inward == 0);
+}
+
+TEST_CASE("row 28: a mesh modelled 1e7 away and moved back is the mesh") {
+    const Vec3d far{1e7, -1e7, 2e7};
+    SceneMaker near;
+    near.mesh(icosphere(2));
+    near.place_last({math::Affined{}});
+    SceneMaker back;
+    back.mesh(transformed(icosphere(2), 1, far));
+    back.place_last({translation(-far)});
+    const auto a = renderer::prepare<float>(near.scene);
+    const auto b = renderer::prepare<float>(back.scene);
+    Random random(28);
+    renderer::Counters counters;
+    int differ = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3d o = random.direction() * 3;
+        const Vec3d d = normalize(random.point(0.6) - o);
+        const auto x = closest_hit(a, ray<float>(o - a.origin, d), {}, counters);
+        const auto y = closest_hit(b, ray<float>(o - b.origin, d), {}, counters);
+        REQUIRE(bool(x) == bool(y));
+        if (x) {
+            CHECK(std::fabs(x.t - y.t) < 1e-5F);
+            differ += x.face == y.face ? 0 : 1;
+        }
+    }
+    CHECK(differ < 20);
+}
+
+TEST_CASE("row 29: tangents from every kind of texture coordinates are finite, or none") {
+    struct Row {
+        Vec2d a, b, c;
+        bool tangents;
+    };
+    const Row rows[] = {
+        {{0, 0}, {1, 0}, {0, 1}, true},
+        {{0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5}, false},
+        {{0, 0}, {0, 0}, {1, 1}, false},
+        {{0, 0}, {1, 1}, {2, 2}, false},
+        {{0, 0}, {-1, 0}, {0, 1}, true},
+        {{1e6, 1e6}, {1e6 + 1, 1e6}, {1e6, 1e6 + 1}, true},
+        {{0, 0}, {1e-300, 0}, {0, 1e-300}, false},
+        {{0, 0}, {1e6, 0}, {0, 1e-6}, true},
+    };
+    for (const Row& row : rows) {
+        SceneMaker make;
+        make.mesh({{{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}}, {{0, 1, 2}}});
+        auto& mesh = make.scene.meshes[0];
+        mesh.uvs = {row.a, row.b, row.c};
+        for (std::uint32_t k = 0; k < 3; ++k) mesh.faces[0].corners[k].uv = k;
+        const auto scene = renderer::prepare<float>(make.scene);
+        renderer::Counters counters;
+        renderer::Ray<float> r;
+        r.origin = scene.to_local({-0.5, -0.5, 2});
+        r.direction = {0, 0, -1};
+        const auto hit = closest_hit(scene, r, {}, counters);
+        REQUIRE(hit);
+        const auto s = surface_at(scene, r, hit);
+        CHECK(s.has_uv);
+        CHECK(s.has_tangents == row.tangents);
+        CHECK(std::fabs(s.uv.x - (row.a.x + 0.25 * (row.b.x - row.a.x) +
+                                  0.25 * (row.c.x - row.a.x))) <= 1e-6 * (1 + std::fabs(row.a.x)));
+        CHECK(length(s.dp_du) + length(s.dp_dv) < std::numeric_limits<float>::infinity());
+        if (!row.tangents) {
+            CHECK(s.dp_du == Vec3<float>{});
+            continue;
+        }
+        // Moving by (du, dv) moves the point: from the first corner to the second.
+        const auto moved = s.dp_du * static_cast<float>(row.b.x - row.a.x) +
+                           s.dp_dv * static_cast<float>(row.b.y - row.a.y);
+        CHECK(length(moved - Vec3<float>{2, 0, 0}) < 1e-5F);
+        const auto off =
+            renderer::prepare<float>(make.scene, {renderer::Acceleration::kBvh, false});
+        CHECK(!surface_at(off, r, closest_hit(off, r, {}, counters)).has_uv);
+    }
+}
+
+TEST_CASE("row 41: keys are met exactly, and no moving thing leaves its box") {
+    SceneMaker make;
+    Random random(41);
+    std::vector<std::array<Vec3d, 3>> keys;
+    std::vector<ir::Sphere::Key> spheres;
+    std::vector<math::Affined> maps;
+    for (int k = 0; k <= 16; ++k) {
+        keys.push_back({random.point(3), random.point(3), random.point(3)});
+        spheres.push_back({random.point(3), random.in(0.1, 1)});
+        // Half a turn in steps of at most 15 degrees, while it moves and grows.
+        maps.push_back(translation({0.3 * k, 0, 1}) *
+                       rotation(normalize(Vec3d{1, 2, -1}), math::kPi * k / 16) *
+                       scaling({1 + 0.1 * k, 1, 0.5}));
+    }
+    make.moving_triangle(keys);
+    make.moving_sphere(spheres);
+    make.box({-1, -2, -0.5}, {1, 2, 0.5});
+    make.place_last(maps);
+    const auto scene = renderer::prepare<float>(make.scene);
+    const auto& g = scene.geometry;
+    for (std::uint32_t k = 0; k <= 16; ++k) {
+        const float time = static_cast<float>(k) / 16;
+        CHECK(renderer::triangle_at(g, g.moving_triangles[0], time) == g.triangle_keys[k]);
+        CHECK(renderer::sphere_at(g, g.moving_spheres[0], time).center == g.sphere_keys[k].center);
+        CHECK(renderer::world_to_object_at(g, g.instances[0], time) ==
+              g.instance_keys[k].world_to_object);
+    }
+    // The boxes as the tree holds them: leaves by kind.
+    renderer::BoxBounds<float> boxes[renderer::kPrimitiveKinds];
+    for (const auto& node : g.tree.nodes) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (node.count[k] == 0) continue;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                auto& box = boxes[static_cast<std::size_t>(node.kind[k])];
+                box.lo[axis] = node.bounds[0][axis][k];
+                box.hi[axis] = node.bounds[1][axis][k];
+            }
+        }
+    }
+    const auto holds = [](const renderer::BoxBounds<float>& box,
+                          const renderer::BoxBounds<float>& inner) {
+        bool inside = true;
+        for (std::size_t i = 0; i < 3; ++i) {
+            inside = inside && box.lo[i] <= inner.lo[i] && inner.hi[i] <= box.hi[i];
+        }
+        return inside;
+    };
+    using Kind = renderer::PrimitiveKind;
+    const auto& triangle_box = boxes[static_cast<std::size_t>(Kind::kMovingTriangle)];
+    const auto& sphere_box = boxes[static_cast<std::size_t>(Kind::kMovingSphere)];
+    const auto& instance_box = boxes[static_cast<std::size_t>(Kind::kInstance)];
+    int escapes = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const auto time = static_cast<float>(random.unit());
+        const auto v = renderer::triangle_at(g, g.moving_triangles[0], time);
+        const auto s = renderer::sphere_at(g, g.moving_spheres[0], time);
+        escapes += holds(triangle_box, renderer::bounds_of(v)) ? 0 : 1;
+        escapes += holds(sphere_box, renderer::bounds_of(s.center, s.radius)) ? 0 : 1;
+        if (i % 10 != 0) continue;
+        const auto map = renderer::world_to_object_at(g, g.instances[0], time).to<double>();
+        const auto back = math::inverse(map);
+        renderer::BoxBounds<double> image;
+        const auto& b = g.instances[0].box.bounds;
+        for (unsigned c = 0; c < 8; ++c) {
+            image.add(
+                back->point(Vec3d{(c & 1U) != 0 ? b.hi.x : b.lo.x, (c & 2U) != 0 ? b.hi.y : b.lo.y,
+                                  (c & 4U) != 0 ? b.hi.z : b.lo.z}));
+        }
+        bool inside = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            inside = inside && double{instance_box.lo[k]} <= image.lo[k] &&
+                     image.hi[k] <= double{instance_box.hi[k]};
+        }
+        escapes += inside ? 0 : 1;
+    }
+    CHECK(escapes == 0);
+}
+
+TEST_CASE("a scene scaled by a power of two, or moved by whole steps, gives the same answers") {
+    const auto source = plain_scene(1, {}, false);
+    const auto base = renderer::prepare<float>(source);
+    struct Change {
+        double scale;
+        Vec3d offset;
+    };
+    const Change changes[] = {{0x1p30, {}},
+                              {0x1p-30, {}},
+                              {2, {}},
+                              {0x1p-7, {}},
+                              {1, {1024, -4096, 8192}},
+                              {1, {30000000, 64, -30000000}}};
+    for (const Change& change : changes) {
+        const auto moved_source = plain_scene(change.scale, change.offset, false);
+        const auto moved = renderer::prepare<float>(moved_source);
+        Random random(1);
+        int hits = 0;
+        int wrong = 0;
+        renderer::Counters counters;
+        for (int i = 0; i < 4000; ++i) {
+            const Vec3d o = random.point(4).to<float>().to<double>();
+            const auto d = random.direction().to<float>();
+            renderer::Ray<float> r;
+            r.origin = base.to_local(o);
+            r.direction = d;
+            auto m = r;
+            // The same local numbers, scaled: what moves exactly moves the origin with it.
+            m.origin = r.origin * static_cast<float>(change.scale);
+            const auto a = closest_hit(base, r, {}, counters);
+            auto b = closest_hit(moved, m, {}, counters);
+            b.t = b.t / static_cast<float>(change.scale);
+            hits += a ? 1 : 0;
+            wrong += same(a, b) && a.object == b.object ? 0 : 1;
+        }
+        CAPTURE(change.scale);
+        CAPTURE(change.offset.x);
+        CHECK(moved.origin == base.origin * change.scale + change.offset);
+        CHECK(hits > 500);
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("reversing all triangles changes no hit") {
+    const auto forward = plain_scene(1, {}, false);
+    const auto reversed = plain_scene(1, {}, true);
+    const auto a = renderer::prepare<float>(forward);
+    const auto b = renderer::prepare<float>(reversed);
+    Random random(2);
+    renderer::Counters counters;
+    int wrong = 0;
+    for (int i = 0; i < 10000; ++i) {
+        const auto r = ray<float>(random.point(4), random.direction());
+        const auto x = closest_hit(a, r, {}, counters);
+        const auto y = closest_hit(b, r, {}, counters);
+        wrong += x.object == y.object && (!x || (x.t == y.t && x.u == y.v && x.v == y.u)) ? 0 : 1;
+    }
+    CHECK(wrong == 0);
+}
+
+}  // namespace cobble::test
