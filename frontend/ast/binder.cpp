@@ -187,7 +187,7 @@ class Binder {
         block.broken = true;
         report_misplaced(cst_.node(id), row, around, reporter_);
         // A misplaced section is missed elsewhere.
-        if (row.parents == grammar::kFileMask) bound_.ast.structure_broken = true;
+        if (grammar::may_stand_at_top(row.id)) bound_.ast.structure_broken = true;
     }
 
     void bind_block(NodeId id) {

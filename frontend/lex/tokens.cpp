@@ -30,9 +30,8 @@ constexpr bool ends_line(char byte) { return byte == '\n' || byte == '\r'; }
 
 }  // namespace
 
-ByteRange Tokens::range(TokenId id) const {
+ByteRange Tokens::long_range(TokenId id) const {
     const Token& token = tokens[id.value];
-    if (token.length < kLongToken) return {token.begin, token.begin + token.length};
     // The last byte that the length covers may be a closing quote, so look from there.
     const std::size_t end = end_of_long(text, kind(id), token.begin + kLongToken - 1);
     return {token.begin, static_cast<std::uint32_t>(end)};

@@ -57,7 +57,11 @@ class Tokens {
     [[nodiscard]] TokenKind kind(TokenId id) const {
         return static_cast<TokenKind>(tokens[id.value].kind);
     }
-    [[nodiscard]] ByteRange range(TokenId id) const;
+    [[nodiscard]] ByteRange range(TokenId id) const {
+        const Token& token = tokens[id.value];
+        if (token.length == kLongToken) return long_range(id);
+        return {token.begin, token.begin + token.length};
+    }
     [[nodiscard]] std::string_view text_of(TokenId id) const {
         const ByteRange bytes = range(id);
         return text.substr(bytes.begin, bytes.end - bytes.begin);
@@ -68,6 +72,9 @@ class Tokens {
     [[nodiscard]] bool first_on_line(TokenId id) const;
     /// True if a line ends between the two neighbouring tokens `id` and `id + 1`.
     [[nodiscard]] bool line_ends_after(TokenId id) const;
+
+  private:
+    [[nodiscard]] ByteRange long_range(TokenId id) const;
 };
 
 /// Cuts a text into tokens. Cost: one pass, about 1.5 bytes kept per byte of text.

@@ -155,10 +155,10 @@ void TreeBuilder::end_top(std::uint32_t end, bool unclosed) {
 void TreeBuilder::close_block(std::uint32_t brace) {
     // The brace after `Rotate 0 1 0 90` without { is the outer block's, unless it stands behind the
     // numbers or like the name.
-    const auto indent = indent_of(tokens_, brace);
-    if (indent && !open_.empty() &&
-        indent != indent_of(tokens_, cst_.nodes[open_.top().node].first_token)) {
-        leave_bare_positional(brace);
+    if (open_.inside() == Inside::kPositional && open_.top().bare) {
+        const auto indent = indent_of(tokens_, brace);
+        const std::uint32_t name = cst_.nodes[open_.top().node].first_token;
+        if (indent && indent != indent_of(tokens_, name)) leave_bare_positional(brace);
     }
     if (open_.empty()) {
         if (look_back_for_extra(brace)) return;
@@ -195,6 +195,10 @@ TreeBuilder::Placing TreeBuilder::place(const BlockRow& row, std::uint32_t begin
         return reopen_for(&row, {}, begin);
     }
     if (depth == open_.depth()) return Placing::kPlaced;
+    // What is indented as a member of the innermost block was meant as one: no brace is missing.
+    const auto indent = indent_of(tokens_, begin);
+    const auto around = indent_of(tokens_, cst_.nodes[open_.top().node].first_token);
+    if (indent && around && is_deeper(*indent, *around)) return Placing::kMisplaced;
     if (look_back(depth, begin)) return Placing::kResumed;
     while (open_.depth() > depth) end_top(begin, true);
     return Placing::kPlaced;
