@@ -125,7 +125,7 @@ TEST_CASE("a block indented as a member is misplaced, one beside its neighbour e
 
 TEST_CASE("what was meant as one thing is one error") {
     CHECK(codes_of("Group { Transform { Rotate 0 1 0 90 Sphere { } } }") == "missing-brace@26 ");
-    CHECK(codes_of("Group { Transform {\n    Rotate 0 1 0 90\n} }") == "missing-brace@29 ");
+    CHECK(codes_of("Group { Transform {\n    Rotate 0 1 0 90\n} }") == "missing-brace@30 ");
     CHECK(codes_of("Group { Transform { Scale { 1 1 1 } Sphere { } } }") ==
           "unexpected-braces@20 ");
     CHECK(codes_of("Group { { center 0 0 0 radius 1 } }") == "nameless-block@8 ");
