@@ -133,7 +133,10 @@ TEST_CASE("row 7: coplanar triangles that meet in T-vertices, twice each: the le
                 at(0.5 * (1 + random.below(15)),
                    i % 2 == 0 ? random.in(0.1, 7.9) : 0.5 * (1 + random.below(15)));
             auto r = ray<float>(random.point(2) + Vec3d{4, 9, 4}, {});
-            r.direction = scene.to_local(target) - r.origin;
+            // Of any length: where t is not 1 its rounding and the slabs' differ, and only the
+            // clamp keeps a triangle from being left out behind its equal.
+            r.direction =
+                (scene.to_local(target) - r.origin) * static_cast<float>(random.in(0.1, 1));
             renderer::Hit<float> hit;
             if (!tree_agrees(scene, r, {}, &hit)) ++differ;
             // Where an edge ends on another's middle, sheared points are collinear only to a
@@ -153,7 +156,7 @@ TEST_CASE("row 7: coplanar triangles that meet in T-vertices, twice each: the le
             }
         }
         CHECK(missed == 0);
-        CHECK(missed_on_t_edges <= 20);
+        CHECK(missed_on_t_edges <= 50);  // of 10000 aimed right at them
         CHECK(differ == 0);
         CHECK(not_least == 0);
     }
