@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From a checked scene to ir::Scene. Input: a CheckedScene and a file source for its assets.
-// Output: the scene and the diagnostics of its meshes and images. Invariant: no file is read twice;
-// no size is believed before it is checked; a scene that is returned can be rendered.
+// Output: the scene and the diagnostics of its meshes, images and nested transforms. Invariant: no
+// file is read twice; no size is believed before it is checked; a scene that is returned can be
+// rendered.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +34,8 @@ struct Lowered {
     Scene scene;
     /// False if there is nothing to render: no camera, or no usable object of any kind.
     bool renderable = false;
-    std::vector<source::Diagnostic> diagnostics;  ///< assets; in order of the scene's spans
+    /// Of assets, and of transforms that only together go wrong; in order of the scene's spans.
+    std::vector<source::Diagnostic> diagnostics;
 };
 
 /// Asset paths are resolved against the scene's own path in `sources`; assets are added to it.

@@ -68,6 +68,8 @@ TEST_CASE("the inverse is right to 64 units times the condition") {
         REQUIRE(residual(map, inverse->map) <= 64 * kUnit * inverse->condition);
         worst = std::max(worst, residual(map, inverse->map) / (kUnit * inverse->condition));
     }
+    // Twice the working precision pays: in plain doubles the cofactors alone give 18.
+    CHECK(worst <= 4);
     MESSAGE("largest residual in units of u times the condition: ", worst);
 }
 
