@@ -189,6 +189,27 @@ std::string hdr_damage(std::string_view bytes) {
     return {};
 }
 
+/// stb_image writes past its tables when a Huffman table claims more than 256 symbols (each of 16
+/// code lengths has its own count). Looks at every mark of such tables (0xff 0xc4; compressed data
+/// cannot contain it): two bytes of length, then tables of one byte, 16 counts and the symbols.
+std::string jpeg_damage(std::string_view bytes) {
+    if (bytes.rfind("\xff\xd9") == std::string_view::npos) return kCutShort;
+    constexpr std::string_view kTables("\xff\xc4", 2);
+    for (std::size_t mark = bytes.find(kTables); mark != std::string_view::npos;
+         mark = bytes.find(kTables, mark + 1)) {
+        const std::size_t end =
+            mark + 2 +
+            static_cast<std::size_t>(byte_at(bytes, mark + 2) << 8 | byte_at(bytes, mark + 3));
+        for (std::size_t at = mark + 4; at < end && at < bytes.size();) {
+            std::size_t symbols = 0;
+            for (std::size_t i = 1; i <= 16; ++i) symbols += byte_at(bytes, at + i);
+            if (symbols > 256) return "a Huffman table has more than 256 symbols";
+            at += 17 + symbols;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string_view image_format(std::string_view bytes) {
@@ -204,9 +225,7 @@ std::string find_damage(std::string_view bytes) {
     if (format == "PNG") return png_damage(bytes);
     if (format == "BMP") return bmp_damage(bytes);
     if (format == "HDR") return hdr_damage(bytes);
-    if (format == "JPEG") {
-        return bytes.rfind("\xff\xd9") == std::string_view::npos ? kCutShort : "";
-    }
+    if (format == "JPEG") return jpeg_damage(bytes);
     return bytes.size() < 18 ? kCutShort : tga_damage(bytes);
 }
 

@@ -69,6 +69,12 @@ TEST_CASE("JPEG pictures are read, and missed if cut short") {
     CHECK(std::abs(decoded.image.bytes[1] - 0x80) <= 3);
     CHECK(std::abs(decoded.image.bytes[2] - 0xc0) <= 3);
     CHECK(reason(file.substr(0, file.size() - 2)) == "the file ends too early");
+    // Counts of symbols that would overflow the decoder's tables.
+    std::string overfull = file;
+    const std::size_t tables = overfull.find("\xff\xc4");
+    REQUIRE(tables != std::string::npos);
+    overfull.replace(tables + 5, 16, std::string(16, '\xff'));
+    CHECK(reason(overfull) == "a Huffman table has more than 256 symbols");
 }
 
 TEST_CASE("HDR pictures hold light") {

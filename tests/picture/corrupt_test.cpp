@@ -95,6 +95,14 @@ TEST_CASE("changed bytes never crash the reader") {
     CHECK(refused > 1000);
 }
 
+TEST_CASE("a JPEG table with more symbols than there are") {
+    std::string file = written_as_jpeg(ramp(19, 11));
+    const std::size_t tables = file.find("\xff\xc4");
+    REQUIRE(tables != std::string::npos);
+    file.replace(tables + 5, 16, std::string(16, '\xff'));
+    CHECK(decode(file).error == "the picture file is corrupt (Huffman table)");
+}
+
 TEST_CASE("sizes that a file cannot hold are refused with a reason") {
     const std::string huge = "PF\n100000 100000\n-1.0\n";
     CHECK(decode(huge).error ==
