@@ -81,7 +81,10 @@ class Search {
             const Indent indent = indent_of(tokens_, brace);
             const bool odd = wanted_ == Wanted::kMissing ? stands_like_outer(indent)
                                                          : stands_deeper(brace, indent);
-            if (block.unclosed == 0 && odd) return found_at(brace, next);
+            // A name without braces ends with whatever its last value is.
+            const bool closed =
+                block.unclosed == 0 && tokens_.kind({brace}) == TokenKind::kCloseBrace;
+            if (closed && odd) return found_at(brace, next);
             levels_.pop_back();
         }
         return std::nullopt;

@@ -134,5 +134,8 @@ TEST_CASE("what was meant as one thing is one error") {
     CHECK(codes_of("Group { Sphere\nlamp { center 0 0 0 radius 1 } }") == "bad-label@15 ");
     CHECK(codes_of("Group { MaterialIndex stone\n{ center 0 0 0 } }") == "nameless-block@28 ");
     CHECK(codes_of("Group { center { 0 0 0 } }") == "unknown-name@8 ");
+    // A name without braces has no } that could be one too many, whatever its last value is.
+    CHECK(codes_of("Lights {\n  Sphere 1 2\n      3\n}\n}\n}") ==
+          "misplaced-block@11 missing-brace@17 extra-brace@32 extra-brace@34 ");
     CHECK(codes_of("# a remark in words\nGroup { }") == "unknown-name@0 ");
 }
