@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/pick.hpp"
 
-#include <utility>
-
 #include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/integrator/trace.hpp"
 #include "renderer/job/fp_environment.hpp"
@@ -71,7 +69,7 @@ PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x,
     std::vector<std::uint32_t> parents;
     std::vector<Waiting> stack = {{start.stack.back(), 0, {1, 1, 1}}};
     while (!stack.empty() && tree.nodes.size() < kMostPickNodes) {
-        Waiting waiting = std::move(stack.back());
+        Waiting waiting = stack.back();
         stack.pop_back();
         // Alone in its own pixel, so that a child's weight is its part of this ray's colour.
         waiting.ray.weight = {1, 1, 1};

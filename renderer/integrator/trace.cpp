@@ -200,13 +200,13 @@ void step(const ShadingScene<T>& scene, const Sampler& sampler, SampleTrace<T>& 
     }
 }
 
-#define COBBLE_INSTANTIATE(T)                                                                 \
-    template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double); \
-    template Shaded<T> shade(const ShadingScene<T>&, const Sampler&, const TracedRay<T>&,     \
-                             Counters&, std::vector<LightAtSurface<T>>*);                     \
-    template void step(const ShadingScene<T>&, const Sampler&, SampleTrace<T>&, Counters&);
-COBBLE_INSTANTIATE(float)
-COBBLE_INSTANTIATE(double)
-#undef COBBLE_INSTANTIATE
+template TracedRay<float> camera_ray(const ShadingScene<float>&, const Sampler&, double, double);
+template Shaded<float> shade(const ShadingScene<float>&, const Sampler&, const TracedRay<float>&,
+                             Counters&, std::vector<LightAtSurface<float>>*);
+template void step(const ShadingScene<float>&, const Sampler&, SampleTrace<float>&, Counters&);
+template TracedRay<double> camera_ray(const ShadingScene<double>&, const Sampler&, double, double);
+template Shaded<double> shade(const ShadingScene<double>&, const Sampler&, const TracedRay<double>&,
+                              Counters&, std::vector<LightAtSurface<double>>*);
+template void step(const ShadingScene<double>&, const Sampler&, SampleTrace<double>&, Counters&);
 
 }  // namespace cobble::renderer

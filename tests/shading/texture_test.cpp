@@ -68,6 +68,9 @@ TEST_CASE("coordinates wrap into range, wherever they are") {
     const auto red = [&](double u) {
         return std::lround(255 * sample_texture(image, TextureFilter::kNearest, {u, 0.5}).x);
     };
+    CHECK(renderer::wrap_unit(below_zero) < 1);
+    CHECK(renderer::wrap_unit(-0x1p-60) > 0.999);
+    CHECK(renderer::wrap_unit(-0.25) == 0.75);
     CHECK(red(below_one) == 20);
     CHECK(red(1.0) == 0);
     CHECK(red(-0.0) == 0);
