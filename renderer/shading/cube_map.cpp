@@ -22,12 +22,12 @@ struct FaceFrame {
 
 /// In the order of ir::CubeMap::Face.
 constexpr std::array<FaceFrame, 6> kFrames = {{
-    {0, -1, 2, -1, 1, 1},  // left
-    {0, +1, 2, +1, 1, 1},  // right
-    {1, +1, 0, +1, 2, 1},  // up
+    {0, -1, 2, -1, 1, 1},   // left
+    {0, +1, 2, +1, 1, 1},   // right
+    {1, +1, 0, +1, 2, 1},   // up
     {1, -1, 0, +1, 2, -1},  // down
-    {2, +1, 0, -1, 1, 1},  // front
-    {2, -1, 0, +1, 1, 1},  // back
+    {2, +1, 0, -1, 1, 1},   // front
+    {2, -1, 0, +1, 1, 1},   // back
 }};
 
 std::size_t face_across(std::size_t axis, bool positive) {
