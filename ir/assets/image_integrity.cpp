@@ -189,25 +189,51 @@ std::string hdr_damage(std::string_view bytes) {
     return {};
 }
 
-/// stb_image writes past its tables when a Huffman table claims more than 256 symbols (each of 16
-/// code lengths has its own count). Looks at every mark of such tables (0xff 0xc4; compressed data
-/// cannot contain it): two bytes of length, then tables of one byte, 16 counts and the symbols.
-std::string jpeg_damage(std::string_view bytes) {
-    if (bytes.rfind("\xff\xd9") == std::string_view::npos) return kCutShort;
-    constexpr std::string_view kTables("\xff\xc4", 2);
-    for (std::size_t mark = bytes.find(kTables); mark != std::string_view::npos;
-         mark = bytes.find(kTables, mark + 1)) {
-        const std::size_t end =
-            mark + 2 +
-            static_cast<std::size_t>(byte_at(bytes, mark + 2) << 8 | byte_at(bytes, mark + 3));
-        for (std::size_t at = mark + 4; at < end && at < bytes.size();) {
-            std::size_t symbols = 0;
-            for (std::size_t i = 1; i <= 16; ++i) symbols += byte_at(bytes, at + i);
-            if (symbols > 256) return "a Huffman table has more than 256 symbols";
-            at += 17 + symbols;
-        }
+/// The decoder takes any number of 0xff before the first mark's code, and so must whoever guards
+/// it.
+bool is_jpeg(std::string_view bytes) {
+    const std::size_t code = bytes.find_first_not_of('\xff');
+    return code != 0 && code != std::string_view::npos && bytes[code] == '\xd8';
+}
+
+std::size_t segment_length(std::string_view bytes, std::size_t at) {
+    return static_cast<std::size_t>(byte_at(bytes, at) << 8 | byte_at(bytes, at + 1));
+}
+
+/// True if one of the Huffman tables in a segment, whose length stands at `at`, claims more than
+/// 256 symbols, for which stb_image 2.27 has no room: there are 16 lengths of codes, each with a
+/// count of up to 255. A table is one byte, the 16 counts, and the symbols (ITU-T T.81, B.2.4.2).
+bool has_oversized_table(std::string_view bytes, std::size_t at) {
+    const std::size_t end = at + segment_length(bytes, at);
+    for (at += 2; at < end && at < bytes.size();) {
+        std::size_t symbols = 0;
+        for (std::size_t i = 1; i <= 16; ++i) symbols += byte_at(bytes, at + i);
+        if (symbols > 256) return true;
+        at += 17 + symbols;
     }
-    return {};
+    return false;
+}
+
+std::string jpeg_damage(std::string_view bytes) {
+    constexpr const char* kOversized = "a Huffman table has more than 256 symbols";
+    // Up to the first scan, segment by segment: what a camera notes may look like a table.
+    std::size_t at = bytes.find_first_not_of('\xff') + 1;
+    for (;;) {
+        at = bytes.find('\xff', at);
+        at = at == std::string_view::npos ? at : bytes.find_first_not_of('\xff', at);
+        if (at == std::string_view::npos) return kCutShort;
+        const std::uint64_t code = byte_at(bytes, at++);
+        if (code == 0xda) break;
+        if (code == 0 || (code >= 0xd0 && code <= 0xd9)) continue;  // marks without a length
+        if (code == 0xc4 && has_oversized_table(bytes, at)) return kOversized;
+        at += std::max<std::size_t>(2, segment_length(bytes, at));
+    }
+    // From there on at every mark of tables, which compressed data cannot contain.
+    for (at = bytes.find("\xff\xc4", at); at != std::string_view::npos;
+         at = bytes.find("\xff\xc4", at + 1)) {
+        if (has_oversized_table(bytes, at + 2)) return kOversized;
+    }
+    return bytes.rfind("\xff\xd9") == std::string_view::npos ? kCutShort : "";
 }
 
 }  // namespace
@@ -215,7 +241,7 @@ std::string jpeg_damage(std::string_view bytes) {
 std::string_view image_format(std::string_view bytes) {
     if (bytes.starts_with(kPngMark)) return "PNG";
     if (bytes.starts_with("BM")) return "BMP";
-    if (bytes.starts_with("\xff\xd8")) return "JPEG";
+    if (is_jpeg(bytes)) return "JPEG";
     if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return "HDR";
     return {};
 }

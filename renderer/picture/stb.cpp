@@ -51,9 +51,10 @@ void append(void* context, void* data, int size) {
 /// The library writes past its tables when a JPEG file's Huffman table claims more than 256 symbols
 /// (each of 16 code lengths has its own count, up to 255). Looks at every mark of such tables (0xff
 /// 0xc4; compressed data cannot contain it), two bytes of length, then tables: one byte, the 16
-/// counts, the symbols.
+/// counts, the symbols. Any number of 0xff may stand before the code of the first mark.
 bool has_oversized_table(std::string_view bytes) {
-    if (!bytes.starts_with("\xff\xd8")) return false;
+    const std::size_t code = bytes.find_first_not_of('\xff');
+    if (code == 0 || code == std::string_view::npos || bytes[code] != '\xd8') return false;
     const auto byte = [bytes](std::size_t at) {
         return at < bytes.size() ? static_cast<std::uint8_t>(bytes[at]) : std::uint8_t{0};
     };

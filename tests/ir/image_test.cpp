@@ -75,6 +75,20 @@ TEST_CASE("JPEG pictures are read, and missed if cut short") {
     REQUIRE(tables != std::string::npos);
     overfull.replace(tables + 5, 16, std::string(16, '\xff'));
     CHECK(reason(overfull) == "a Huffman table has more than 256 symbols");
+
+    // What a camera notes may look like such a table; only a real one is refused.
+    const std::string table = std::string("\xff\xc4\x00\x13\x00", 5) + std::string(16, '\xff');
+    std::string noted = file;
+    noted.insert(2, std::string("\xff\xe1\x00\x17", 4) + table);
+    CHECK(decode(noted).status == DecodeStatus::kOk);
+    for (const std::string mark : {"", "\xff", "\xff\xff\xff"}) {
+        std::string damaged = file;
+        damaged.insert(2, table);
+        CHECK(reason(mark + damaged) == "a Huffman table has more than 256 symbols");
+    }
+    std::string between = file;
+    between.insert(file.size() - 2, table);
+    CHECK(reason(between) == "a Huffman table has more than 256 symbols");
 }
 
 TEST_CASE("HDR pictures hold light") {
