@@ -1,7 +1,93 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
 
-int main() {
-    fmt::print("cobble {}\n", COBBLE_VERSION);
-    return 0;
+#include "tools/cobble/command.hpp"
+#include "tools/cobble/interrupt.hpp"
+#include "tools/cobble/old_spellings.hpp"
+
+namespace cobble {
+namespace {
+
+void describe(CLI::App& app) {
+    app.description("Cobble: lints, formats and renders scenes of a ray-tracing language.");
+    app.set_version_flag("--version", "cobble " COBBLE_VERSION, "Print the version and exit");
+    app.set_help_flag("-h,--help", "Print this help and exit");
+    app.require_subcommand(1);
+    app.footer(
+        "`cobble COMMAND --help` tells more of a command. The original programs' spelling works "
+        "too:\n`cobble -input FILE -output FILE -size W H ...`.\n\n"
+        "Exit status: 0 done and clean; 1 findings; 2 usage, missing files, reading or writing; "
+        "3 internal\nerror; 130 interrupted.");
+}
+
+// CLI11 would take an argument in brackets for a list, and one path is never that.
+void protect_brackets(std::vector<std::string>& arguments) {
+    for (std::string& argument : arguments) {
+        if (argument.starts_with('[') && argument.ends_with(']')) argument.insert(0, "./");
+    }
+}
+
+int finish(Context& context, int status) {
+    context.out.flush();
+    if (!context.out.error().empty()) {
+        driver::complain("cannot write to standard output: " + context.out.error());
+        return kFailure;
+    }
+    return context.out.closed() ? static_cast<int>(kDone) : status;
+}
+
+int run(std::vector<std::string> arguments) {
+    Context context;
+    CLI::App app;
+    describe(app);
+    for (const auto add : {add_lint, add_fmt, add_render, add_explain, add_diff, add_pick, add_ir,
+                           add_dump, add_merge}) {
+        add(app, context);
+    }
+    if (const std::string problem = rewrite_old_spellings(arguments); !problem.empty()) {
+        driver::complain(problem);
+        return kFailure;
+    }
+    protect_brackets(arguments);
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::CallForHelp&) {
+        const auto chosen = app.get_subcommands();
+        context.out.write((chosen.empty() ? app : *chosen.front()).help());
+        return finish(context, kDone);
+    } catch (const CLI::CallForVersion& version) {
+        context.out.write(std::string(version.what()) + "\n");
+        return finish(context, kDone);
+    } catch (const CLI::ParseError& error) {
+        driver::complain(error.what());
+        const auto chosen = app.get_subcommands();
+        const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
+        driver::write_error("Try `cobble" + name + " --help`.\n");
+        return kFailure;
+    }
+    return finish(context, context.run());
+}
+
+}  // namespace
+}  // namespace cobble
+
+int main(int argc, char** argv) {
+    cobble::driver::prepare_streams();
+    cobble::exit_on_interrupt();
+    try {
+        return cobble::run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    } catch (const std::bad_alloc&) {
+        cobble::driver::complain("out of memory");
+        return cobble::kFailure;
+    } catch (const std::exception& error) {
+        cobble::driver::complain(std::string("internal error: ") + error.what());
+        return cobble::kInternal;
+    }
 }

@@ -122,7 +122,7 @@ class Matcher {
                 std::ptrdiff_t x =
                     d == 0 ? 0 : step(furthest[static_cast<std::size_t>(d) - 1], d, k);
                 std::ptrdiff_t y = x - k;
-                if (x > n || y > m || y < 0) continue;
+                if (x < 0 || y < 0 || x > n || y > m) continue;
                 while (x < n && y < m && same(gap, x, y)) {
                     ++x;
                     ++y;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Values of command-line options that several commands read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace cobble {
+
+/// An option that may be given several times, each time with one value or several with commas.
+CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                      const std::string& description);
+
+/// "; did you mean 'X'?", or "" if no registered code is near.
+std::string similar_code(std::string_view name);
+
+/// All of `text` as numbers with `separator` between them, exactly `count`; false if it is not
+/// that, or a number is out of range or not finite.
+bool parse_numbers(std::string_view text, char separator, std::size_t count,
+                   std::vector<std::uint32_t>& numbers);
+bool parse_numbers(std::string_view text, char separator, std::size_t count,
+                   std::vector<double>& numbers);
+
+}  // namespace cobble

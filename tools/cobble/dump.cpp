@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "tools/cobble/command.hpp"
+#include "tools/driver/dump_tree.hpp"
+#include "tools/driver/load.hpp"
+
+namespace cobble {
+namespace {
+
+struct Options {
+    std::string phase;
+    std::string scene;
+};
+
+int run(const Options& options, Context& context) {
+    const driver::LoadedScene loaded = driver::check_scene(options.scene, "");
+    if (loaded.session == nullptr) {
+        driver::complain(loaded.problem);
+        return kFailure;
+    }
+    const frontend::CheckedScene& checked = loaded.session->checked;
+    const driver::DumpSink sink = [&context](std::string_view text) {
+        context.out.write(text);
+        return !context.out.closed();
+    };
+    if (options.phase == "tokens") driver::dump_tokens(checked, sink);
+    if (options.phase == "cst") driver::dump_cst(checked, sink);
+    if (options.phase == "ast") driver::dump_ast(checked, sink);
+    return kDone;
+}
+
+}  // namespace
+
+void add_dump(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* sub = app.add_subcommand("dump", "Print what one phase made of a scene");
+    sub->add_option("PHASE", options->phase, "tokens, cst or ast")
+        ->required()
+        ->check(CLI::IsMember({"tokens", "cst", "ast"}));
+    sub->add_option("SCENE", options->scene, "The scene file, or - for standard input")->required();
+    sub->callback([options, &context] {
+        context.run = [options, &context] { return run(*options, context); };
+    });
+}
+
+}  // namespace cobble

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frontend/format/format.hpp"
+#include "tools/cobble/arguments.hpp"
+#include "tools/cobble/command.hpp"
+#include "tools/cobble/interrupt.hpp"
+#include "tools/driver/session.hpp"
+#include "tools/driver/unified_diff.hpp"
+#include "tools/driver/walk.hpp"
+#include "tools/driver/write_file.hpp"
+
+namespace cobble {
+namespace {
+
+struct Options {
+    std::vector<std::string> paths;
+    std::string range;
+    std::string stdin_path;
+    bool check = false;
+    bool diff = false;
+};
+
+class Format {
+  public:
+    Format(const Options& options, Context& context) : options_(options), context_(context) {}
+
+    int run() {
+        std::vector<std::uint32_t> lines;
+        if (!options_.range.empty()) {
+            const bool good = parse_numbers(options_.range, ':', 2, lines) && lines[0] >= 1 &&
+                              lines[0] <= lines[1];
+            if (!good) {
+                driver::complain("--range: '" + options_.range +
+                                 "' is not two line numbers L1:L2 with 1 <= L1 <= L2");
+                return kFailure;
+            }
+            format_options_ = {lines[0], lines[1]};
+        }
+        const driver::SceneFiles files = driver::find_scenes(options_.paths);
+        for (const std::string& problem : files.problems) fail(problem);
+        if (!lines.empty() && files.paths.size() > 1) {
+            driver::complain("--range takes one file");
+            return kFailure;
+        }
+        // From here on files change: an interrupt waits for the one at hand.
+        const InterruptGuard guard;
+        for (const std::string& path : files.paths) {
+            if (context_.out.closed()) break;
+            if (InterruptGuard::interrupted()) {
+                driver::complain("interrupted; the files not yet reached are as they were");
+                return kInterrupted;
+            }
+            format(path);
+        }
+        if (failed_) return kFailure;
+        if (refused_) return kInternal;
+        return broken_ || (options_.check && differs_) ? kFindings : kDone;
+    }
+
+  private:
+    void fail(std::string_view problem) {
+        context_.out.flush();
+        driver::complain(problem);
+        failed_ = true;
+    }
+
+    void format(const std::string& argument) {
+        const bool standard_input = argument == "-";
+        const driver::ReadText file =
+            standard_input ? driver::read_standard_input() : driver::read_text(argument);
+        if (!file.problem.empty()) return fail(file.problem);
+        std::string path = argument;
+        if (standard_input) path = options_.stdin_path.empty() ? "<stdin>" : options_.stdin_path;
+
+        const frontend::FormatResult result = frontend::format(file.text, format_options_);
+        if (result.refused) {
+            refused_ = true;
+            driver::complain(fmt::format(
+                "internal error: {} would have lost something in formatting and is left as it is "
+                "({})",
+                path, result.refusal));
+        } else if (result.has_errors) {
+            broken_ = true;
+            driver::complain(fmt::format(
+                "{} has syntax errors: what is broken is left as it is (`cobble lint` says where)",
+                path));
+        }
+        const bool differs = result.text != file.text;
+        differs_ = differs_ || differs;
+        if (options_.diff) {
+            const driver::DiffStyle style{driver::wants_color(STDOUT_FILENO)};
+            context_.out.write(driver::unified_diff(file.text, result.text, path, path, style));
+        } else if (options_.check) {
+            if (differs) context_.out.write(path + "\n");
+        } else if (standard_input) {
+            context_.out.write(result.text);
+        } else if (differs) {
+            const std::string problem = driver::write_file(path, result.text);
+            if (!problem.empty()) fail(problem);
+        }
+    }
+
+    const Options& options_;
+    Context& context_;
+    frontend::FormatOptions format_options_;
+    bool differs_ = false;
+    bool broken_ = false;
+    bool refused_ = false;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+void add_fmt(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* sub = app.add_subcommand("fmt", "Format scenes in place");
+    sub->add_option("PATH", options->paths,
+                    "Files, folders, or - to format standard input to standard output")
+        ->required();
+    sub->add_flag("--check", options->check,
+                  "Change nothing; print the files that would change, and exit with 1 if any");
+    sub->add_flag("--diff", options->diff,
+                  "Change nothing; print what would change, as a unified diff");
+    sub->add_option("--range", options->range, "Format only these lines, from 1 and inclusive")
+        ->type_name("L1:L2");
+    sub->add_option("--stdin-filepath", options->stdin_path, "What messages call standard input")
+        ->type_name("P");
+    sub->callback([options, &context] {
+        context.run = [options, &context] { return Format(*options, context).run(); };
+    });
+}
+
+}  // namespace cobble

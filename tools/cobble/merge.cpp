@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/cobble/command.hpp"
+#include "tools/driver/pictures.hpp"
+
+namespace cobble {
+namespace {
+
+struct Options {
+    std::vector<std::string> shards;
+    std::string output;
+};
+
+int run(const Options& options) {
+    driver::Merged merged = driver::merge_pictures(options.shards);
+    // What was encoded already is written as it is.
+    if (merged.problem.empty()) {
+        merged.problem = driver::write_picture(options.output, merged.plane, {});
+    }
+    if (merged.problem.empty()) return kDone;
+    driver::complain(merged.problem);
+    return kFailure;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* sub = app.add_subcommand("merge", "Join the pictures of `render --shard`");
+    sub->add_option("PICTURE", options->shards, "One picture of each shard")->required();
+    sub->add_option("-o", options->output, "The picture file to write")
+        ->type_name("FILE")
+        ->required();
+    sub->callback([options, &context] { context.run = [options] { return run(*options); }; });
+}
+
+}  // namespace cobble

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "tools/cobble/old_spellings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace cobble {
+namespace {
+
+struct Spelling {
+    std::string_view old;
+    std::size_t values;
+    std::vector<std::string> (*rewrite)(const std::string* values);
+};
+
+const Spelling kSpellings[] = {
+    {"-input", 1,
+     [](const std::string* v) -> std::vector<std::string> {
+         return {"--input", v[0]};
+     }},
+    {"-output", 1,
+     [](const std::string* v) -> std::vector<std::string> {
+         return {"-o", v[0]};
+     }},
+    {"-size", 2,
+     [](const std::string* v) -> std::vector<std::string> {
+         return {"--size=" + v[0] + "x" + v[1]};
+     }},
+    {"-depth", 3,
+     [](const std::string* v) -> std::vector<std::string> {
+         return {"--depth-range=" + v[0] + "," + v[1], "--depth", v[2]};
+     }},
+    {"-normals", 1,
+     [](const std::string* v) -> std::vector<std::string> {
+         return {"--normals", v[0]};
+     }},
+    {"-bounces", 1,
+     [](const std::string* v) -> std::vector<std::string> { return {"--bounces=" + v[0]}; }},
+    {"-shadows", 0,
+     [](const std::string*) -> std::vector<std::string> { return {"--original-shadows"}; }},
+    {"-jitter", 0,
+     [](const std::string*) -> std::vector<std::string> { return {"--original-jitter"}; }},
+    {"-filter", 0,
+     [](const std::string*) -> std::vector<std::string> { return {"--original-filter"}; }},
+    {"-casting", 0,
+     [](const std::string*) -> std::vector<std::string> { return {"--original-casting"}; }},
+    {"-blurry", 1,
+     [](const std::string* v) -> std::vector<std::string> {
+         return {"--original-blurry=" + v[0]};
+     }},
+    {"-pixelated", 0,
+     [](const std::string*) -> std::vector<std::string> { return {"--original-pixelated"}; }},
+};
+
+const Spelling* find(std::string_view word) {
+    const auto* found =
+        std::find_if(std::begin(kSpellings), std::end(kSpellings),
+                     [word](const Spelling& spelling) { return spelling.old == word; });
+    return found == std::end(kSpellings) ? nullptr : found;
+}
+
+bool is_option(std::string_view argument, std::string_view name) {
+    return argument == name ||
+           (argument.starts_with(name) && argument.substr(name.size()).starts_with('='));
+}
+
+bool has_option(const std::vector<std::string>& arguments, std::string_view name) {
+    return std::any_of(arguments.begin(), arguments.end(),
+                       [name](const std::string& a) { return is_option(a, name); });
+}
+
+}  // namespace
+
+std::string rewrite_old_spellings(std::vector<std::string>& arguments) {
+    if (arguments.empty()) return {};
+    const bool original = find(arguments.front()) != nullptr;
+    if (!original && arguments.front() != "render") return {};
+
+    std::vector<std::string> result;
+    if (original) result.emplace_back("render");
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        // After "--" everything is a path.
+        if (arguments[i] == "--") {
+            result.insert(result.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i),
+                          arguments.end());
+            break;
+        }
+        const Spelling* spelling = find(arguments[i]);
+        if (spelling == nullptr) {
+            result.push_back(arguments[i]);
+            continue;
+        }
+        if (arguments.size() - i - 1 < spelling->values) {
+            return fmt::format("{} takes {} value{}", spelling->old, spelling->values,
+                               spelling->values == 1 ? "" : "s");
+        }
+        for (std::string& piece : spelling->rewrite(arguments.data() + i + 1)) {
+            result.push_back(std::move(piece));
+        }
+        i += spelling->values;
+    }
+    if (original) {
+        // These stand before what the user wrote, and an option given twice counts as last given.
+        std::vector<std::string> defaults;
+        if (!has_option(result, "--size")) defaults.emplace_back("--size=100x100");
+        if (!has_option(result, "--compat")) defaults.emplace_back("--compat=project");
+        result.insert(result.begin() + 1, defaults.begin(), defaults.end());
+    }
+    arguments = std::move(result);
+    return {};
+}
+
+}  // namespace cobble

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/job/render_job.hpp"
+#include "tools/cobble/arguments.hpp"
+#include "tools/cobble/command.hpp"
+#include "tools/cobble/interrupt.hpp"
+#include "tools/cobble/progress.hpp"
+#include "tools/cobble/view_options.hpp"
+#include "tools/driver/pictures.hpp"
+#include "tools/driver/render_stats.hpp"
+#include "tools/driver/write_file.hpp"
+
+namespace cobble {
+namespace {
+
+// Short enough that an interrupt, which a step does not have to wait for, is felt at once, and
+// long enough that stopping and starting the workers costs nothing beside it.
+constexpr std::chrono::milliseconds kStep{50};
+
+struct Options {
+    ViewOptions view;
+    std::string output, depth, normals, albedo, sample_count, stats;
+    std::string filter = "box";
+    std::string shard;
+    std::uint32_t threads = 0;
+    bool reference = false;
+    bool quiet = false;
+};
+
+// A picture that is asked for: where it goes, and which plane of the result it is.
+struct Target {
+    std::string path;
+    renderer::Plane32 renderer::Picture::*plane;
+};
+
+class Render {
+  public:
+    explicit Render(const Options& options) : options_(options) {
+        const std::pair<const std::string*, renderer::Plane32 renderer::Picture::*> all[] = {
+            {&options.output, &renderer::Picture::color},
+            {&options.depth, &renderer::Picture::depth},
+            {&options.normals, &renderer::Picture::normals},
+            {&options.albedo, &renderer::Picture::albedo},
+            {&options.sample_count, &renderer::Picture::sample_count}};
+        for (const auto& [path, plane] : all) {
+            if (!path->empty()) targets_.push_back({*path, plane});
+        }
+    }
+
+    int run() {
+        if (std::string problem = check_outputs(); !problem.empty()) {
+            driver::complain(problem);
+            return kFailure;
+        }
+        view_ = make_view(options_.view, options_.quiet);
+        if (view_.status != 0) return view_.status;
+        if (std::string problem = complete_settings(); !problem.empty()) {
+            driver::complain(problem);
+            return kFailure;
+        }
+        return render();
+    }
+
+  private:
+    // Before anything is read: whether what comes out has a place to go.
+    std::string check_outputs() {
+        if (targets_.empty()) return "there is no picture to write: say -o FILE";
+        std::vector<std::string> paths;
+        for (const Target& target : targets_) paths.push_back(target.path);
+        if (!options_.stats.empty()) paths.push_back(options_.stats);
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                if (paths[i] == paths[k]) return paths[i] + " is asked for twice";
+            }
+        }
+        std::vector<std::uint32_t> size;
+        parse_numbers(options_.view.size, 'x', 2, size);
+        for (const Target& target : targets_) {
+            std::string problem = driver::check_picture_path(target.path, size[0], size[1]);
+            if (!problem.empty()) return problem;
+        }
+        return options_.stats.empty() ? "" : driver::check_writable(options_.stats, 0);
+    }
+
+    std::string complete_settings() {
+        renderer::Settings& settings = view_.settings;
+        if (settings.crop &&
+            (settings.crop->x0 >= settings.width || settings.crop->y0 >= settings.height)) {
+            return "--crop: the rectangle lies outside the picture";
+        }
+        if (options_.filter == "tent") settings.filter = renderer::PixelFilter::kTent;
+        if (options_.filter == "gaussian") settings.filter = renderer::PixelFilter::kGaussian;
+        if (!options_.shard.empty()) {
+            std::vector<std::uint32_t> shard;
+            parse_numbers(options_.shard, '/', 2, shard);
+            settings.shard_index = shard[0] - 1;
+            settings.shard_count = shard[1];
+        }
+        settings.want_depth = !options_.depth.empty();
+        settings.want_normals = !options_.normals.empty();
+        settings.want_albedo = !options_.albedo.empty();
+        // A shard must know which pixels are not its own.
+        settings.want_sample_count = !options_.sample_count.empty() || settings.shard_count > 1;
+        if (!options_.view.depth_range.empty()) {
+            std::vector<double> range;
+            parse_numbers(options_.view.depth_range, ',', 2, range);
+            depth_range_ = {range[0], range[1]};
+            settings.compat.depth_min = range[0];
+            settings.compat.depth_max = range[1];
+        }
+        return check_memory();
+    }
+
+    // Every plane stands in memory twice, in the job and as its result, and encoded once more.
+    [[nodiscard]] std::string check_memory() const {
+        const std::uint64_t pixels = std::uint64_t{view_.settings.width} * view_.settings.height;
+        const std::uint64_t needed = pixels * 12 * 3 * targets_.size();
+        const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
+                            static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+        if (needed <= memory || view_.settings.crop) return {};
+        return fmt::format("a picture of {} pixels takes {} GiB of memory, and this machine has {}",
+                           options_.view.size, needed >> 30U, memory >> 30U);
+    }
+
+    int render() {
+        const bool terminal = driver::is_terminal(STDERR_FILENO);
+        const auto kind = options_.quiet ? ProgressBar::Kind::kSilent
+                          : terminal     ? ProgressBar::Kind::kTerminal
+                                         : ProgressBar::Kind::kLines;
+        ProgressBar bar(kind, driver::terminal_width(STDERR_FILENO, 80));
+        const auto scheduler = renderer::make_thread_scheduler(options_.threads);
+        const auto job =
+            renderer::start_render(view_.loaded.lowered.scene, view_.settings, *scheduler);
+        const InterruptGuard guard(job.get());
+        renderer::Progress progress;
+        while (!progress.done) {
+            progress = job->step(std::chrono::steady_clock::now() + kStep);
+            bar.show(progress.fraction, progress.rays, progress.seconds);
+        }
+        bar.clear();
+        const renderer::Picture picture = job->picture();
+        const int status = write(picture, job->stats(), progress);
+        if (status != kDone) return status;
+        if (!picture.complete) {
+            driver::complain(
+                fmt::format("interrupted at {:.0f} %: the picture as far as it came is in {}",
+                            std::floor(progress.fraction * 100), targets_.front().path));
+            return kInterrupted;
+        }
+        if (!options_.quiet) say_what_was_done(progress);
+        return kDone;
+    }
+
+    void say_what_was_done(const renderer::Progress& progress) const {
+        const double rate = static_cast<double>(progress.rays) / std::max(progress.seconds, 1e-9);
+        driver::write_error(
+            fmt::format("{}: {}x{}, {} samples a pixel, {}rays in {:.2f} s ({}rays/s)\n",
+                        targets_.front().path, view_.settings.width, view_.settings.height,
+                        view_.settings.samples, short_number(static_cast<double>(progress.rays)),
+                        progress.seconds, short_number(rate)));
+    }
+
+    int write(const renderer::Picture& picture, const renderer::Stats& stats,
+              const renderer::Progress& progress) {
+        const auto begin = std::chrono::steady_clock::now();
+        int status = kDone;
+        for (const Target& target : targets_) {
+            const std::string problem = write_target(target, picture);
+            if (problem.empty()) continue;
+            driver::complain(problem);
+            status = kFailure;
+        }
+        if (stats.bad_sample_count > 0) {
+            driver::complain(driver::bad_sample_text(stats, view_.loaded.session->sources));
+        }
+        if (options_.stats.empty()) return status;
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+        const std::string text = driver::stats_to_json(
+            {view_.loaded, view_.settings, stats, progress, picture.complete, seconds.count()});
+        if (std::string problem = driver::write_file(options_.stats, text); !problem.empty()) {
+            driver::complain(problem);
+            status = kFailure;
+        }
+        return status;
+    }
+
+    [[nodiscard]] std::string write_target(const Target& target,
+                                           const renderer::Picture& picture) const {
+        renderer::Plane32 plane = picture.*target.plane;
+        renderer::EncodeOptions encode;
+        if (view_.compat != ir::Compat::kNone) encode.quantise = renderer::Quantise::kTruncate;
+        const bool color = target.plane == &renderer::Picture::color;
+        encode.encode_srgb =
+            view_.encode_srgb && (color || target.plane == &renderer::Picture::albedo);
+        if (driver::keeps_bytes(target.path)) {
+            if (target.plane == &renderer::Picture::depth) {
+                plane = driver::depth_as_grey(plane, view_.compat, depth_range_);
+            } else if (target.plane == &renderer::Picture::normals) {
+                plane = driver::normals_as_color(plane, view_.compat);
+            } else if (target.plane == &renderer::Picture::sample_count) {
+                plane = driver::counts_as_grey(plane);
+            }
+        }
+        if (view_.settings.shard_count > 1) {
+            driver::blacken_unreached(plane, picture.sample_count);
+        }
+        return driver::write_picture(target.path, plane, encode);
+    }
+
+    const Options& options_;
+    std::vector<Target> targets_;
+    View view_;
+    std::optional<std::pair<double, double>> depth_range_;
+};
+
+std::string check_crop(const std::string& text) {
+    std::vector<std::uint32_t> crop;
+    const bool good = parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
+    return good ? std::string()
+                : fmt::format("'{}' is no rectangle X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1", text);
+}
+
+std::string check_range(const std::string& text) {
+    std::vector<double> range;
+    const bool good = parse_numbers(text, ',', 2, range) && range[0] < range[1];
+    return good ? std::string() : fmt::format("'{}' is no range MIN,MAX with MIN below MAX", text);
+}
+
+std::string check_shard(const std::string& text) {
+    std::vector<std::uint32_t> shard;
+    const bool good = parse_numbers(text, '/', 2, shard) && shard[0] >= 1 && shard[0] <= shard[1];
+    return good ? std::string() : fmt::format("'{}' is no shard I/N with 1 <= I <= N", text);
+}
+
+void add_outputs(CLI::App& sub, Options& options) {
+    const std::string group = "Pictures (.png .pfm .hdr .exr .bmp .tga)";
+    const auto add = [&sub, &group](const std::string& name, std::string& path,
+                                    const std::string& description) {
+        sub.add_option(name, path, description)->type_name("FILE")->group(group);
+    };
+    add("-o,--output", options.output, "The picture");
+    add("--depth", options.depth, "Distances from the camera; grey in 8-bit formats");
+    add("--normals", options.normals, "Shading normals");
+    add("--albedo", options.albedo, "Colours of the surfaces before lighting");
+    add("--sample-count", options.sample_count, "Samples that each pixel took");
+    sub.add_option("--depth-range", options.view.depth_range,
+                   "Distances that are white and black in 8-bit formats (default: those there are)")
+        ->type_name("MIN,MAX")
+        ->check(check_range)
+        ->group(group);
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* sub = app.add_subcommand("render", "Render a scene to a picture");
+    add_view_options(*sub, options->view);
+    add_outputs(*sub, *options);
+    sub->add_option("--crop", options->view.crop, "Render these pixels only, Y from the top")
+        ->type_name("X0,Y0,X1,Y1")
+        ->check(check_crop);
+    sub->add_option("--filter", options->filter, "Pixel filter: box, tent or gaussian")
+        ->check(CLI::IsMember({"box", "tent", "gaussian"}))
+        ->capture_default_str();
+    sub->add_option("--threads", options->threads, "Workers; 0 is one a processor")
+        ->type_name("N")
+        ->check(CLI::Range(0U, 1024U))
+        ->capture_default_str();
+    sub->add_flag("--reference", options->reference,
+                  "Use the reference renderer, which is the only one in this release");
+    sub->add_option("--shard", options->shard,
+                    "Render part I of N, from 1; `cobble merge` joins the parts")
+        ->type_name("I/N")
+        ->check(check_shard);
+    sub->add_option("--stats", options->stats,
+                    "Write times, rays by kind and memory to this file as JSON")
+        ->type_name("FILE");
+    sub->add_flag("--quiet", options->quiet, "No progress, no warnings");
+    sub->footer(
+        "The original programs' spellings work too: -input F, -output F, -size W H, -depth MIN MAX "
+        "F,\n-normals F, -bounces N, -shadows, -jitter, -filter, -casting, -blurry FOCUS, "
+        "-pixelated.");
+    sub->callback(
+        [options, &context] { context.run = [options] { return Render(*options).run(); }; });
+}
+
+}  // namespace cobble

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "tools/cobble/view_options.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "ir/effects.hpp"
+#include "tools/cobble/arguments.hpp"
+#include "tools/cobble/command.hpp"
+#include "tools/driver/report/reporter.hpp"
+
+namespace cobble {
+namespace {
+
+// The largest side that every format we write can name (TGA has 16 bits).
+constexpr std::uint32_t kMaxSide = 65535;
+// A million samples a pixel are more than any scene's noise asks for.
+constexpr std::uint32_t kMaxSamples = 1U << 20U;
+// Nothing is left to see after so many mirrors.
+constexpr std::uint32_t kMaxBounces = 1000;
+
+bool parse_size(std::string_view text, std::vector<std::uint32_t>& size) {
+    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= kMaxSide; };
+    return parse_numbers(text, 'x', 2, size) && fits(size[0]) && fits(size[1]);
+}
+
+bool parse_crop(std::string_view text, std::vector<std::uint32_t>& crop) {
+    return parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
+}
+
+std::string check_size(const std::string& text) {
+    std::vector<std::uint32_t> size;
+    if (parse_size(text, size)) return {};
+    return fmt::format("'{}' is no size WxH of 1 to {} pixels a side", text, kMaxSide);
+}
+
+ir::Compat compat_of(std::string_view name) {
+    if (name == "a4") return ir::Compat::kA4;
+    if (name == "a5") return ir::Compat::kA5;
+    if (name == "fa2016") return ir::Compat::kFa2016;
+    if (name == "project") return ir::Compat::kProject;
+    return ir::Compat::kNone;
+}
+
+void add_original_options(CLI::App& sub, ViewOptions& options) {
+    // Without a group an option is left out of the help: these are spelled with one dash there.
+    const std::string hidden;
+    sub.add_flag("--original-shadows", options.original_shadows)->group(hidden);
+    sub.add_flag("--original-jitter", options.original_jitter)->group(hidden);
+    sub.add_flag("--original-filter", options.original_filter)->group(hidden);
+    sub.add_flag("--original-casting", options.original_casting)->group(hidden);
+    sub.add_flag("--original-pixelated", options.original_pixelated)->group(hidden);
+    sub.add_option("--original-blurry", options.original_blurry)->group(hidden);
+}
+
+ir::Effects choose_effects(const ir::Scene& scene, const ViewOptions& options, ir::Compat compat) {
+    ir::Effects effects = ir::derive_effects(scene);
+    std::array<int, ir::kEffectCount> wanted = options.effects;
+    const auto shadows = static_cast<std::size_t>(ir::Effect::kShadows);
+    if (compat != ir::Compat::kNone && wanted[shadows] == 0) {
+        wanted[shadows] = options.original_shadows ? 1 : -1;
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        ir::EffectState& state = effects.states[i];
+        if (wanted[i] > 0 && !state.on) state = {true, {}, "asked for"};
+        if (wanted[i] < 0 && state.on) state = {false, {}, "switched off"};
+    }
+    return effects;
+}
+
+// What the published programs' flags ask for, or a word about those that mean nothing here.
+void set_compat(const ViewOptions& options, View& view) {
+    renderer::Settings::Compat& compat = view.settings.compat;
+    compat.shadows = view.settings.effects.on(ir::Effect::kShadows);
+    compat.jitter = options.original_jitter;
+    compat.filter = options.original_filter;
+    compat.casting = options.original_casting;
+    compat.pixelated = options.original_pixelated;
+    if (options.original_blurry >= 0) compat.blurry = options.original_blurry;
+    if (view.compat != ir::Compat::kNone) return;
+    const std::pair<bool, const char*> idle[] = {{options.original_jitter, "-jitter"},
+                                                 {options.original_filter, "-filter"},
+                                                 {options.original_casting, "-casting"},
+                                                 {options.original_blurry >= 0, "-blurry"}};
+    for (const auto& [given, name] : idle) {
+        if (given) driver::complain(fmt::format("{} means nothing without --compat", name));
+    }
+    if (options.original_pixelated) view.settings.texture_filter = ir::TextureFilter::kNearest;
+}
+
+std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
+    if (options.aperture >= 0) camera.aperture = options.aperture;
+    if (options.focus_distance > 0) camera.focus_distance = options.focus_distance;
+    if (camera.aperture > 0 && camera.focus_distance <= 0) {
+        return "--aperture needs --focus-distance here: the scene does not say what is in focus";
+    }
+    return {};
+}
+
+}  // namespace
+
+void add_view_options(CLI::App& sub, ViewOptions& options) {
+    sub.add_option("SCENE,--input", options.scene, "The scene file, or - for standard input")
+        ->required();
+    sub.add_option("--size", options.size, "Size of the picture in pixels")
+        ->type_name("WxH")
+        ->check(check_size)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->capture_default_str();
+    sub.add_option("--bounces", options.bounces, "How often a ray may be reflected or refracted")
+        ->type_name("N")
+        ->check(CLI::Range(0U, kMaxBounces))
+        ->capture_default_str();
+    sub.add_option("--samples", options.samples, "Samples a pixel")
+        ->type_name("N")
+        ->check(CLI::Range(1U, kMaxSamples))
+        ->capture_default_str();
+    sub.add_option("--seed", options.seed, "Another number, another noise")
+        ->type_name("N")
+        ->capture_default_str();
+    sub.add_option("--precision", options.precision, "float or double")
+        ->check(CLI::IsMember({"float", "double"}))
+        ->capture_default_str();
+    sub.add_option("--transfer", options.transfer,
+                   "none: work with display values as they are; srgb: decode pictures, work with "
+                   "light, encode the result")
+        ->check(CLI::IsMember({"none", "srgb"}))
+        ->capture_default_str();
+    sub.add_option("--texture-filter", options.texture_filter,
+                   "nearest or bilinear, whatever the materials say")
+        ->check(CLI::IsMember({"nearest", "bilinear"}));
+    sub.add_option("--aperture", options.aperture, "Diameter of the lens; 0 is a pinhole")
+        ->type_name("A")
+        ->check(CLI::NonNegativeNumber);
+    sub.add_option("--focus-distance", options.focus_distance, "What is in focus is this far away")
+        ->type_name("D")
+        ->check(CLI::PositiveNumber);
+    sub.add_option("--compat", options.compat,
+                   "Render as a published program did: a4, a5, fa2016 or project")
+        ->check(CLI::IsMember({"a4", "a5", "fa2016", "project"}))
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    sub.add_flag("--keep-going", options.keep_going,
+                 "Render a scene with errors: what is broken is left out or shown in magenta");
+    sub.add_option("--stdin-filepath", options.stdin_path,
+                   "Where standard input is taken to be: paths in it start there")
+        ->type_name("P");
+    for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
+        const auto effect = static_cast<ir::Effect>(i);
+        const std::string name(ir::name_of(effect));
+        sub.add_flag("--" + name + ",!--no-" + name, options.effects[i],
+                     std::string(ir::description_of(effect)))
+            ->group("Effects (each is on where the scene calls for it)");
+    }
+    add_original_options(sub, options);
+}
+
+void report_to_error(const driver::LoadedScene& loaded, bool errors_only) {
+    const driver::ReportStyle style{driver::wants_color(STDERR_FILENO),
+                                    driver::terminal_width(STDERR_FILENO, 100)};
+    for (const source::Diagnostic& diagnostic : loaded.diagnostics) {
+        if (errors_only && diagnostic.severity != source::Severity::kError) continue;
+        driver::write_error(driver::to_text(diagnostic, loaded.session->sources, style));
+    }
+}
+
+View make_view(const ViewOptions& options, bool quiet) {
+    View view;
+    const auto give_up = [&view](int status, std::string_view message) {
+        driver::complain(message);
+        view.status = status;
+    };
+    view.compat = compat_of(options.compat);
+    view.encode_srgb = options.transfer == "srgb";
+    ir::LowerOptions lower;
+    lower.compat = view.compat;
+    lower.decode_srgb = view.encode_srgb;
+    view.loaded = driver::load_scene(options.scene, options.stdin_path, lower);
+    if (view.loaded.session == nullptr) {
+        give_up(kFailure, view.loaded.problem);
+        return view;
+    }
+    report_to_error(view.loaded, quiet);
+    if (driver::has_errors(view.loaded.diagnostics) && !options.keep_going) {
+        give_up(kFindings, options.scene + " has errors (--keep-going renders what is sound)");
+        return view;
+    }
+    if (!view.loaded.lowered.renderable) {
+        give_up(kFindings, options.scene + " has nothing to render: no camera, or no object");
+        return view;
+    }
+    ir::Scene& scene = view.loaded.lowered.scene;
+    if (std::string problem = set_lens(options, scene.camera); !problem.empty()) {
+        give_up(kFailure, problem);
+        return view;
+    }
+    std::vector<std::uint32_t> numbers;
+    parse_size(options.size, numbers);
+    renderer::Settings& settings = view.settings;
+    settings.width = numbers[0];
+    settings.height = numbers[1];
+    if (!options.crop.empty() && parse_crop(options.crop, numbers)) {
+        settings.crop = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    }
+    settings.samples = options.samples;
+    settings.bounces = options.bounces;
+    settings.seed = options.seed;
+    settings.precision =
+        options.precision == "double" ? renderer::Precision::kDouble : renderer::Precision::kFloat;
+    if (options.texture_filter == "nearest") settings.texture_filter = ir::TextureFilter::kNearest;
+    if (options.texture_filter == "bilinear") {
+        settings.texture_filter = ir::TextureFilter::kBilinear;
+    }
+    settings.effects = choose_effects(scene, options, view.compat);
+    set_compat(options, view);
+    return view;
+}
+
+}  // namespace cobble

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The options that say what picture a scene makes: those of `render` that `pick` shares.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "ir/scene/effects.hpp"
+#include "ir/scene/scene.hpp"
+#include "renderer/settings.hpp"
+#include "tools/driver/load.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace cobble {
+
+struct ViewOptions {
+    std::string scene;
+    std::string stdin_path;
+    std::string size = "640x480";
+    std::string crop;
+    std::string compat;
+    std::string transfer = "none";
+    std::string precision = "float";
+    std::string texture_filter;
+    std::string depth_range;
+    std::uint32_t samples = 16;
+    std::uint32_t bounces = 4;
+    std::uint64_t seed = 0;
+    double aperture = -1;
+    double focus_distance = -1;
+    bool keep_going = false;
+    /// Above 0: asked for; below: switched off.
+    std::array<int, ir::kEffectCount> effects{};
+
+    // What the original programs' spellings become.
+    bool original_shadows = false, original_jitter = false, original_filter = false;
+    bool original_casting = false, original_pixelated = false;
+    double original_blurry = -1;
+};
+
+void add_view_options(CLI::App& sub, ViewOptions& options);
+
+/// One scene as the options ask for it, ready to be rendered.
+struct View {
+    driver::LoadedScene loaded;
+    renderer::Settings settings;
+    ir::Compat compat = ir::Compat::kNone;
+    bool encode_srgb = false;
+    int status = 0;  ///< other than 0: why there is nothing to render was said on standard error
+};
+
+/// Loads the scene and says on standard error what is wrong with it: all of it, or with `quiet`
+/// only what stops the render.
+View make_view(const ViewOptions& options, bool quiet);
+
+/// Writes the findings for people to standard error.
+void report_to_error(const driver::LoadedScene& loaded, bool errors_only);
+
+}  // namespace cobble

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "tools/driver/pick_report.hpp"
+
+#include <fmt/core.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tools/driver/report/diagnostic_json.hpp"
+
+namespace cobble::driver {
+namespace {
+
+using renderer::PickNode;
+
+std::string_view name_of(PickNode::Kind kind) {
+    switch (kind) {
+        case PickNode::Kind::kCamera:
+            return "camera";
+        case PickNode::Kind::kReflected:
+            return "reflected";
+        case PickNode::Kind::kRefracted:
+            return "refracted";
+    }
+    return "?";
+}
+
+std::string_view name_of(ir::ShapeKind kind) {
+    switch (kind) {
+        case ir::ShapeKind::kSphere:
+            return "Sphere";
+        case ir::ShapeKind::kPlane:
+            return "Plane";
+        case ir::ShapeKind::kTriangle:
+            return "Triangle";
+        case ir::ShapeKind::kBox:
+            return "Box";
+        case ir::ShapeKind::kMesh:
+            return "TriangleMesh";
+    }
+    return "?";
+}
+
+std::string_view name_of(ir::Light::Kind kind) {
+    return kind == ir::Light::Kind::kPoint ? "PointLight" : "DirectionalLight";
+}
+
+std::string numbers(const math::Vec3d& v) {
+    return fmt::format("{:.9g} {:.9g} {:.9g}", v.x, v.y, v.z);
+}
+
+Json vector_json(const math::Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
+
+// Where the face of a mesh stands in its OBJ file.
+source::Span face_span(const ir::Scene& scene, const ir::Object& object, std::uint32_t face) {
+    if (object.kind != ir::ShapeKind::kMesh) return {};
+    const ir::Mesh& mesh = scene.meshes[object.shape];
+    if (face >= mesh.face_offsets.size() || !mesh.source.valid()) return {};
+    return {mesh.source, mesh.face_offsets[face], mesh.face_offsets[face]};
+}
+
+class Writer {
+  public:
+    explicit Writer(const PickReport& report) : report_(report), positions_(report.sources) {}
+
+    std::string text() {
+        std::string text = fmt::format("pixel {},{}\n", report_.x, report_.y);
+        struct Open {
+            std::uint32_t node;
+            std::size_t depth;
+        };
+        std::vector<Open> open{{0, 0}};
+        while (!open.empty()) {
+            const Open at = open.back();
+            open.pop_back();
+            const PickNode& node = report_.tree.nodes[at.node];
+            text += node_text(node, std::string(2 * at.depth, ' '));
+            if (!report_.whole_tree) break;
+            for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
+                open.push_back({*child, at.depth + 1});
+            }
+        }
+        return text;
+    }
+
+    std::string json() {
+        // Children stand after their parents: built from the back, each is whole when it is needed.
+        const auto& nodes = report_.tree.nodes;
+        std::vector<Json> done(nodes.size());
+        const std::size_t count = report_.whole_tree ? nodes.size() : 1;
+        for (std::size_t i = count; i-- > 0;) {
+            done[i] = node_json(nodes[i]);
+            if (!report_.whole_tree) continue;
+            Json rays = Json::array();
+            for (const std::uint32_t child : nodes[i].children) {
+                rays.push_back(std::move(done[child]));
+            }
+            done[i]["rays"] = std::move(rays);
+        }
+        const Json json = {{"cobble_pick", 1},
+                           {"pixel", Json::array({report_.x, report_.y})},
+                           {"ray", std::move(done[0])}};
+        return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    }
+
+  private:
+    std::string place(source::Span span) {
+        if (!span.valid()) return "";
+        const source::LineColumn at = positions_.start(span);
+        return fmt::format("{}:{}:{}", report_.sources.path(span.source), at.line, at.column);
+    }
+
+    std::string named(std::string_view kind, const std::string& label, source::Span span) {
+        return fmt::format("{}{}{}  {}", kind, label.empty() ? "" : " ", label, place(span));
+    }
+
+    std::string node_text(const PickNode& node, const std::string& indent) {
+        std::string text;
+        const auto line = [&text, &indent](std::string_view name, const std::string& value) {
+            text += fmt::format("{}{:<10} {}\n", indent, name, value);
+        };
+        text += fmt::format("{}{} ray\n", indent, name_of(node.kind));
+        line("  from", numbers(node.origin));
+        line("  towards", numbers(node.direction));
+        if (!node.hit) {
+            line("  hits", "nothing: the background");
+            line("  color", numbers(node.color));
+            return text;
+        }
+        const ir::Object& object = report_.scene.objects[node.object.value];
+        line("  object", named(name_of(object.kind), object.label, object.span));
+        if (const source::Span face = face_span(report_.scene, object, node.face); face.valid()) {
+            line("  face", fmt::format("{}  {}", node.face, place(face)));
+        }
+        if (node.material.valid()) {
+            const ir::Material& material = report_.scene.materials[node.material.value];
+            line("  material",
+                 named(std::to_string(node.material.value), material.label, material.span));
+        }
+        line("  position", numbers(node.position));
+        line("  normal", numbers(node.normal));
+        line("  depth", fmt::format("{:.9g}", node.t));
+        for (const PickNode::LightSeen& seen : node.lights) {
+            const ir::Light& light = report_.scene.lights[seen.light.value];
+            line(
+                "  light",
+                fmt::format("{}  {}, gives {}", named(name_of(light.kind), light.label, light.span),
+                            seen.visible ? "visible" : "hidden", numbers(seen.contribution)));
+        }
+        line("  color", numbers(node.color));
+        return text;
+    }
+
+    // "path", "line", "column" and "range" of a place.
+    Json place_json(source::Span span) {
+        if (!span.valid()) return nullptr;
+        const source::LineColumn at = positions_.start(span);
+        return {{"path", report_.sources.path(span.source)},
+                {"line", at.line},
+                {"column", at.column},
+                {"range", range_to_json(span, positions_)}};
+    }
+
+    Json node_json(const PickNode& node) {
+        Json json = {{"kind", name_of(node.kind)},
+                     {"origin", vector_json(node.origin)},
+                     {"direction", vector_json(node.direction)},
+                     {"hit", node.hit},
+                     {"color", vector_json(node.color)}};
+        if (!node.hit) return json;
+        const ir::Object& object = report_.scene.objects[node.object.value];
+        json["object"] = {{"index", node.object.value},
+                          {"kind", name_of(object.kind)},
+                          {"label", object.label},
+                          {"at", place_json(object.span)}};
+        const source::Span face = face_span(report_.scene, object, node.face);
+        if (face.valid()) json["face"] = {{"index", node.face}, {"at", place_json(face)}};
+        if (node.material.valid()) {
+            const ir::Material& material = report_.scene.materials[node.material.value];
+            json["material"] = {{"index", node.material.value},
+                                {"label", material.label},
+                                {"at", place_json(material.span)}};
+        }
+        json["position"] = vector_json(node.position);
+        json["normal"] = vector_json(node.normal);
+        json["geometric_normal"] = vector_json(node.geometric_normal);
+        json["depth"] = node.t;
+        Json lights = Json::array();
+        for (const PickNode::LightSeen& seen : node.lights) {
+            const ir::Light& light = report_.scene.lights[seen.light.value];
+            lights.push_back({{"index", seen.light.value},
+                              {"kind", name_of(light.kind)},
+                              {"label", light.label},
+                              {"at", place_json(light.span)},
+                              {"visible", seen.visible},
+                              {"contribution", vector_json(seen.contribution)}});
+        }
+        json["lights"] = std::move(lights);
+        return json;
+    }
+
+    const PickReport& report_;
+    Positions positions_;
+};
+
+}  // namespace
+
+std::string pick_to_text(const PickReport& report) { return Writer(report).text(); }
+
+std::string pick_to_json(const PickReport& report) { return Writer(report).json(); }
+
+}  // namespace cobble::driver

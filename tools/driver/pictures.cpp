@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "tools/driver/pictures.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tools/driver/disk_file_source.hpp"
+#include "tools/driver/write_file.hpp"
+
+namespace cobble::driver {
+namespace {
+
+// Larger than any picture that fits the decoder's own limits.
+constexpr std::uint64_t kMaxPictureFile = std::uint64_t{8} << 30U;
+
+std::string unknown_ending(const std::string& path) {
+    return fmt::format(
+        "cannot write {}: its ending is none of .png, .pfm, .hdr, .exr, .bmp and .tga", path);
+}
+
+renderer::Plane32 like(const renderer::Plane32& plane) {
+    renderer::Plane32 result;
+    result.width = plane.width;
+    result.height = plane.height;
+    result.channels = plane.channels;
+    result.values.resize(plane.values.size());
+    return result;
+}
+
+}  // namespace
+
+ReadPicture read_picture(const std::string& path) {
+    ReadPicture result;
+    DiskFileSource disk;
+    const source::ReadResult file = disk.read(path, kMaxPictureFile);
+    if (file.status != source::ReadStatus::kOk) {
+        result.problem = fmt::format("cannot read {}: {}", path, file.reason);
+        return result;
+    }
+    renderer::Decoded decoded = renderer::decode(file.bytes);
+    if (!decoded.error.empty()) {
+        result.problem = fmt::format("cannot read {}: {}", path, decoded.error);
+        return result;
+    }
+    result.plane = std::move(decoded.plane);
+    result.eight_bit = decoded.eight_bit;
+    return result;
+}
+
+std::string write_picture(const std::string& path, const renderer::Plane32& plane,
+                          const renderer::EncodeOptions& options) {
+    const auto format = renderer::picture_format(path);
+    if (!format) return unknown_ending(path);
+    const renderer::Encoded encoded = renderer::encode(plane, *format, options);
+    if (!encoded.error.empty()) return fmt::format("cannot write {}: {}", path, encoded.error);
+    return write_file(path, encoded.bytes);
+}
+
+std::string check_picture_path(const std::string& path, std::uint32_t width, std::uint32_t height) {
+    const auto format = renderer::picture_format(path);
+    if (!format) return unknown_ending(path);
+    const std::uint64_t pixels = std::uint64_t{width} * height;
+    // The sizes of the formats without compression are known beforehand.
+    std::uint64_t bytes = 0;
+    if (*format == renderer::PictureFormat::kPfm) bytes = pixels * 12;
+    if (*format == renderer::PictureFormat::kBmp) bytes = pixels * 3;
+    if (*format == renderer::PictureFormat::kTga) bytes = pixels * 3;
+    return check_writable(path, bytes);
+}
+
+bool keeps_bytes(const std::string& path) {
+    const auto format = renderer::picture_format(path);
+    return format == renderer::PictureFormat::kPng || format == renderer::PictureFormat::kBmp ||
+           format == renderer::PictureFormat::kTga;
+}
+
+renderer::Plane32 depth_as_grey(const renderer::Plane32& depth, ir::Compat compat,
+                                std::optional<std::pair<double, double>> range) {
+    renderer::Plane32 grey = like(depth);
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const float t : depth.values) {
+        if (!std::isfinite(t)) continue;
+        low = std::min(low, double{t});
+        high = std::max(high, double{t});
+    }
+    if (range) {
+        low = range->first;
+        high = range->second;
+    }
+    const bool dark_is_near = compat == ir::Compat::kFa2016;
+    for (std::size_t i = 0; i < grey.values.size(); ++i) {
+        const double t = depth.values[i];
+        // A flat picture has no range: all of it is near.
+        double far = high > low ? (t - low) / (high - low) : 0.0;
+        if (!std::isfinite(t)) far = 1;
+        far = std::clamp(far, 0.0, 1.0);
+        grey.values[i] = static_cast<float>(dark_is_near ? far : 1 - far);
+    }
+    return grey;
+}
+
+renderer::Plane32 normals_as_color(const renderer::Plane32& normals, ir::Compat compat) {
+    const bool absolute =
+        compat == ir::Compat::kA4 || compat == ir::Compat::kA5 || compat == ir::Compat::kProject;
+    renderer::Plane32 color = like(normals);
+    for (std::size_t i = 0; i < color.values.size(); ++i) {
+        const float n = normals.values[i];
+        color.values[i] = absolute ? std::fabs(n) : (n + 1) / 2;
+    }
+    return color;
+}
+
+renderer::Plane32 counts_as_grey(const renderer::Plane32& counts) {
+    renderer::Plane32 grey = like(counts);
+    float most = 1;
+    for (const float count : counts.values) most = std::max(most, count);
+    for (std::size_t i = 0; i < grey.values.size(); ++i) grey.values[i] = counts.values[i] / most;
+    return grey;
+}
+
+void blacken_unreached(renderer::Plane32& plane, const renderer::Plane32& sample_count) {
+    for (std::size_t i = 0; i < sample_count.values.size(); ++i) {
+        if (sample_count.values[i] != 0) continue;
+        for (std::uint32_t c = 0; c < plane.channels; ++c) plane.values[i * plane.channels + c] = 0;
+    }
+}
+
+Merged merge_pictures(const std::vector<std::string>& paths) {
+    Merged merged;
+    std::vector<std::size_t> owner;  // of each pixel: index of a path, from 1
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        ReadPicture shard = read_picture(paths[k]);
+        if (!shard.problem.empty()) {
+            merged.problem = shard.problem;
+            return merged;
+        }
+        if (k == 0) {
+            merged.plane = like(shard.plane);
+            merged.eight_bit = shard.eight_bit;
+            owner.resize(std::size_t{shard.plane.width} * shard.plane.height);
+        }
+        if (shard.plane.width != merged.plane.width || shard.plane.height != merged.plane.height ||
+            shard.plane.channels != merged.plane.channels || shard.eight_bit != merged.eight_bit) {
+            merged.problem =
+                fmt::format("{} and {} differ in size or kind: they are not shards of one render",
+                            paths[0], paths[k]);
+            return merged;
+        }
+        for (std::size_t i = 0; i < owner.size(); ++i) {
+            const std::uint32_t channels = shard.plane.channels;
+            const float* pixel = shard.plane.values.data() + i * channels;
+            if (std::all_of(pixel, pixel + channels, [](float v) { return v == 0; })) continue;
+            if (owner[i] != 0) {
+                merged.problem = fmt::format(
+                    "{} and {} both hold the pixel {},{}: they are not two shards of one render",
+                    paths[owner[i] - 1], paths[k], i % merged.plane.width, i / merged.plane.width);
+                return merged;
+            }
+            owner[i] = k + 1;
+            std::copy(pixel, pixel + channels, merged.plane.values.data() + i * channels);
+        }
+    }
+    return merged;
+}
+
+}  // namespace cobble::driver

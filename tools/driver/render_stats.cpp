@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "tools/driver/render_stats.hpp"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <utility>
+
+#include "tools/driver/report/diagnostic_json.hpp"
+
+namespace cobble::driver {
+namespace {
+
+std::uint64_t peak_bytes() {
+    struct rusage usage {};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+std::string place_of(source::Span span, Positions& positions) {
+    const source::LineColumn at = positions.start(span);
+    return fmt::format("{}:{}:{}", positions.path(span), at.line, at.column);
+}
+
+}  // namespace
+
+std::string stats_to_json(const RenderStats& render) {
+    const renderer::Stats& stats = render.stats;
+    const renderer::Counters& counters = stats.counters;
+    Json phases = Json::array();
+    const auto add = [&phases](std::string_view name, double seconds) {
+        phases.push_back({{"name", name}, {"seconds", seconds}});
+    };
+    add("read", render.loaded.read_seconds);
+    add("check", render.loaded.check_seconds);
+    add("lower", render.loaded.lower_seconds);
+    for (const renderer::PhaseTime& phase : stats.phases) add(phase.name, phase.seconds);
+    add("write", render.write_seconds);
+
+    Positions positions(render.loaded.session->sources);
+    Json bad = Json::array();
+    for (const renderer::BadSample& sample : stats.bad_samples) {
+        Json entry = {{"x", sample.x}, {"y", sample.y}, {"sample", sample.sample}};
+        if (sample.span.valid()) entry["object"] = place_of(sample.span, positions);
+        bad.push_back(std::move(entry));
+    }
+    Json effects = Json::array();
+    for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
+        const auto effect = static_cast<ir::Effect>(i);
+        if (render.settings.effects.on(effect)) effects.push_back(ir::name_of(effect));
+    }
+    const Json json = {
+        {"cobble_stats", 1},
+        {"picture",
+         {{"width", render.settings.width},
+          {"height", render.settings.height},
+          {"samples", render.settings.samples},
+          {"bounces", render.settings.bounces},
+          {"seed", render.settings.seed},
+          {"complete", render.complete}}},
+        {"effects", std::move(effects)},
+        {"phases", std::move(phases)},
+        {"rays",
+         {{"camera", counters.camera_rays},
+          {"shadow", counters.shadow_rays},
+          {"reflected", counters.reflected_rays},
+          {"refracted", counters.refracted_rays},
+          {"total", counters.rays()}}},
+        {"rays_per_second", render.progress.seconds > 0
+                                ? static_cast<double>(counters.rays()) / render.progress.seconds
+                                : 0.0},
+        {"tests", {{"boxes", counters.box_tests}, {"primitives", counters.primitive_tests}}},
+        {"memory", {{"scene_bytes", stats.scene_bytes}, {"peak_bytes", peak_bytes()}}},
+        {"bad_samples", {{"count", stats.bad_sample_count}, {"first", std::move(bad)}}}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string bad_sample_text(const renderer::Stats& stats, const source::SourceMap& sources) {
+    std::string text = fmt::format("{} sample{} came out infinite or not a number and {} left out",
+                                   stats.bad_sample_count, stats.bad_sample_count == 1 ? "" : "s",
+                                   stats.bad_sample_count == 1 ? "was" : "were");
+    if (stats.bad_samples.empty()) return text;
+    const renderer::BadSample& first = stats.bad_samples.front();
+    text += fmt::format("; the first is sample {} of pixel {},{}", first.sample, first.x, first.y);
+    Positions positions(sources);
+    if (first.span.valid()) text += ", on the object of " + place_of(first.span, positions);
+    return text;
+}
+
+}  // namespace cobble::driver
