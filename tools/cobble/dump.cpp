@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "frontend/parse/dump.hpp"
 #include "tools/cobble/command.hpp"
-#include "tools/driver/dump_tree.hpp"
 #include "tools/driver/load.hpp"
 
 namespace cobble {
@@ -21,14 +21,11 @@ int run(const Options& options, Context& context) {
         driver::complain(loaded.problem);
         return kFailure;
     }
-    const frontend::CheckedScene& checked = loaded.session->checked;
-    const driver::DumpSink sink = [&context](std::string_view text) {
-        context.out.write(text);
-        return !context.out.closed();
-    };
-    if (options.phase == "tokens") driver::dump_tokens(checked, sink);
-    if (options.phase == "cst") driver::dump_cst(checked, sink);
-    if (options.phase == "ast") driver::dump_ast(checked, sink);
+    const frontend::CheckedScene& scene = loaded.session->checked;
+    if (options.phase == "tokens") context.out.write(frontend::dump_tokens(scene.tokens));
+    if (options.phase == "cst") context.out.write(frontend::dump_cst(scene.tokens, scene.cst));
+    if (options.phase == "ast")
+        context.out.write(frontend::dump_ast(scene.tokens, scene.cst, scene.ast));
     return kDone;
 }
 
