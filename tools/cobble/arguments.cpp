@@ -52,6 +52,21 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::s
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
+                        const std::vector<std::string>& choices, const std::string& description) {
+    std::string shown;
+    for (const std::string& choice : choices) shown += (shown.empty() ? "" : "|") + choice;
+    const auto check = [choices, shown](const std::string& text) {
+        const bool known = std::find(choices.begin(), choices.end(), text) != choices.end();
+        return known ? std::string() : "'" + text + "' is none of " + shown;
+    };
+    return app.add_option(name, value, description)
+        ->type_name(shown)
+        ->check(check)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->capture_default_str();
+}
+
 std::string similar_code(std::string_view name) {
     std::vector<std::string_view> names;
     for (const auto* code : source::all_codes()) names.push_back(code->code);

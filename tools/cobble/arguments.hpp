@@ -19,6 +19,10 @@ namespace cobble {
 CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                       const std::string& description);
 
+/// An option whose value is one of a few words.
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
+                        const std::vector<std::string>& choices, const std::string& description);
+
 /// "; did you mean 'X'?", or "" if no registered code is near.
 std::string similar_code(std::string_view name);
 

@@ -77,12 +77,12 @@ void add_diff(CLI::App& app, Context& context) {
     sub->add_option("B", options->b, "The other picture, of the same size")->required();
     sub->add_option("--ppd", options->ppd, "Pixels per degree of the viewer's sight, for FLIP")
         ->type_name("P")
-        ->check(CLI::Range(1.0, 4000.0))
+        ->check(CLI::Range(1.0, 4000.0).description(""))
         ->capture_default_str();
     sub->add_option("--tolerance", options->tolerance,
                     "Exit with 1 if any value differs by more than T (1 is black to white)")
         ->type_name("T")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
     sub->add_option("-o", options->map, "Write a map of FLIP to this picture file")
         ->type_name("MAP");
     sub->add_flag("--light", options->light,

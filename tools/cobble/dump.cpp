@@ -34,9 +34,7 @@ int run(const Options& options, Context& context) {
 void add_dump(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* sub = app.add_subcommand("dump", "Print what one phase made of a scene");
-    sub->add_option("PHASE", options->phase, "tokens, cst or ast")
-        ->required()
-        ->check(CLI::IsMember({"tokens", "cst", "ast"}));
+    add_choice(*sub, "PHASE", options->phase, {"tokens", "cst", "ast"}, "Which phase")->required();
     sub->add_option("SCENE", options->scene, "The scene file, or - for standard input")->required();
     sub->callback([options, &context] {
         context.run = [options, &context] { return run(*options, context); };

@@ -172,9 +172,8 @@ void add_lint(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* sub = app.add_subcommand("lint", "Check scenes and say what is wrong with them");
     sub->add_option("PATH", options->paths, "Files, folders, or - for standard input")->required();
-    sub->add_option("--format", options->format, "human, json, jsonl, sarif or github")
-        ->check(CLI::IsMember({"human", "json", "jsonl", "sarif", "github"}))
-        ->capture_default_str();
+    add_choice(*sub, "--format", options->format, {"human", "json", "jsonl", "sarif", "github"},
+               "How findings are printed");
     sub->add_flag("--fix", options->fix, "Apply the safe fixes to the files");
     sub->add_flag("--unsafe-fixes", options->unsafe_fixes,
                   "Apply those too that change what the scene means; implies --fix");

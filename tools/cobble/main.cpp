@@ -2,12 +2,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "tools/cobble/command.hpp"
+#include "tools/cobble/help.hpp"
 #include "tools/cobble/interrupt.hpp"
 #include "tools/cobble/old_spellings.hpp"
 
@@ -18,6 +20,8 @@ void describe(CLI::App& app) {
     app.description("Cobble: lints, formats and renders scenes of a ray-tracing language.");
     app.set_version_flag("--version", "cobble " COBBLE_VERSION, "Print the version and exit");
     app.set_help_flag("-h,--help", "Print this help and exit");
+    app.name("cobble");
+    app.formatter(std::make_shared<HelpFormatter>());
     app.require_subcommand(1);
     app.footer(
         "`cobble COMMAND --help` tells more of a command. The original programs' spelling works "
@@ -59,8 +63,7 @@ int run(std::vector<std::string> arguments) {
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        const auto chosen = app.get_subcommands();
-        context.out.write((chosen.empty() ? app : *chosen.front()).help());
+        context.out.write(app.help());
         return finish(context, kDone);
     } catch (const CLI::CallForVersion& version) {
         context.out.write(std::string(version.what()) + "\n");

@@ -16,43 +16,29 @@ struct Spelling {
     std::vector<std::string> (*rewrite)(const std::string* values);
 };
 
+using Words = std::vector<std::string>;
+
+// A path for a positional argument: one that begins with a dash is no option.
+std::string as_path(const std::string& path) {
+    return path.size() > 1 && path.starts_with('-') ? "./" + path : path;
+}
+
 const Spelling kSpellings[] = {
-    {"-input", 1,
-     [](const std::string* v) -> std::vector<std::string> {
-         return {"--input", v[0]};
-     }},
-    {"-output", 1,
-     [](const std::string* v) -> std::vector<std::string> {
-         return {"-o", v[0]};
-     }},
-    {"-size", 2,
-     [](const std::string* v) -> std::vector<std::string> {
-         return {"--size=" + v[0] + "x" + v[1]};
-     }},
+    {"-input", 1, [](const std::string* v) { return Words{as_path(v[0])}; }},
+    {"-output", 1, [](const std::string* v) { return Words{"--output=" + v[0]}; }},
+    {"-size", 2, [](const std::string* v) { return Words{"--size=" + v[0] + "x" + v[1]}; }},
     {"-depth", 3,
-     [](const std::string* v) -> std::vector<std::string> {
-         return {"--depth-range=" + v[0] + "," + v[1], "--depth", v[2]};
+     [](const std::string* v) {
+         return Words{"--depth-range=" + v[0] + "," + v[1], "--depth=" + v[2]};
      }},
-    {"-normals", 1,
-     [](const std::string* v) -> std::vector<std::string> {
-         return {"--normals", v[0]};
-     }},
-    {"-bounces", 1,
-     [](const std::string* v) -> std::vector<std::string> { return {"--bounces=" + v[0]}; }},
-    {"-shadows", 0,
-     [](const std::string*) -> std::vector<std::string> { return {"--original-shadows"}; }},
-    {"-jitter", 0,
-     [](const std::string*) -> std::vector<std::string> { return {"--original-jitter"}; }},
-    {"-filter", 0,
-     [](const std::string*) -> std::vector<std::string> { return {"--original-filter"}; }},
-    {"-casting", 0,
-     [](const std::string*) -> std::vector<std::string> { return {"--original-casting"}; }},
-    {"-blurry", 1,
-     [](const std::string* v) -> std::vector<std::string> {
-         return {"--original-blurry=" + v[0]};
-     }},
-    {"-pixelated", 0,
-     [](const std::string*) -> std::vector<std::string> { return {"--original-pixelated"}; }},
+    {"-normals", 1, [](const std::string* v) { return Words{"--normals=" + v[0]}; }},
+    {"-bounces", 1, [](const std::string* v) { return Words{"--bounces=" + v[0]}; }},
+    {"-shadows", 0, [](const std::string*) { return Words{"--original-shadows"}; }},
+    {"-jitter", 0, [](const std::string*) { return Words{"--original-jitter"}; }},
+    {"-filter", 0, [](const std::string*) { return Words{"--original-filter"}; }},
+    {"-casting", 0, [](const std::string*) { return Words{"--original-casting"}; }},
+    {"-blurry", 1, [](const std::string* v) { return Words{"--original-blurry=" + v[0]}; }},
+    {"-pixelated", 0, [](const std::string*) { return Words{"--original-pixelated"}; }},
 };
 
 const Spelling* find(std::string_view word) {

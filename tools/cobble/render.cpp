@@ -269,12 +269,11 @@ void add_render(CLI::App& app, Context& context) {
     sub->add_option("--crop", options->view.crop, "Render these pixels only, Y from the top")
         ->type_name("X0,Y0,X1,Y1")
         ->check(check_crop);
-    sub->add_option("--filter", options->filter, "Pixel filter: box, tent or gaussian")
-        ->check(CLI::IsMember({"box", "tent", "gaussian"}))
-        ->capture_default_str();
+    add_choice(*sub, "--filter", options->filter, {"box", "tent", "gaussian"},
+               "Pixel filter: box, tent or gaussian");
     sub->add_option("--threads", options->threads, "Workers; 0 is one a processor")
         ->type_name("N")
-        ->check(CLI::Range(0U, 1024U))
+        ->check(CLI::Range(0U, 1024U).description(""))
         ->capture_default_str();
     sub->add_flag("--reference", options->reference,
                   "Use the reference renderer, which is the only one in this release");

@@ -105,8 +105,7 @@ std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
 }  // namespace
 
 void add_view_options(CLI::App& sub, ViewOptions& options) {
-    sub.add_option("SCENE,--input", options.scene, "The scene file, or - for standard input")
-        ->required();
+    sub.add_option("SCENE", options.scene, "The scene file, or - for standard input")->required();
     sub.add_option("--size", options.size, "Size of the picture in pixels")
         ->type_name("WxH")
         ->check(check_size)
@@ -114,36 +113,30 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
         ->capture_default_str();
     sub.add_option("--bounces", options.bounces, "How often a ray may be reflected or refracted")
         ->type_name("N")
-        ->check(CLI::Range(0U, kMaxBounces))
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->check(CLI::Range(0U, kMaxBounces).description(""))
         ->capture_default_str();
     sub.add_option("--samples", options.samples, "Samples a pixel")
         ->type_name("N")
-        ->check(CLI::Range(1U, kMaxSamples))
+        ->check(CLI::Range(1U, kMaxSamples).description(""))
         ->capture_default_str();
     sub.add_option("--seed", options.seed, "Another number, another noise")
         ->type_name("N")
         ->capture_default_str();
-    sub.add_option("--precision", options.precision, "float or double")
-        ->check(CLI::IsMember({"float", "double"}))
-        ->capture_default_str();
-    sub.add_option("--transfer", options.transfer,
-                   "none: work with display values as they are; srgb: decode pictures, work with "
-                   "light, encode the result")
-        ->check(CLI::IsMember({"none", "srgb"}))
-        ->capture_default_str();
-    sub.add_option("--texture-filter", options.texture_filter,
-                   "nearest or bilinear, whatever the materials say")
-        ->check(CLI::IsMember({"nearest", "bilinear"}));
+    add_choice(sub, "--precision", options.precision, {"float", "double"}, "float or double");
+    add_choice(sub, "--transfer", options.transfer, {"none", "srgb"},
+               "none: work with display values as they are; srgb: decode pictures, work with "
+               "light, encode the result");
+    add_choice(sub, "--texture-filter", options.texture_filter, {"nearest", "bilinear"},
+               "nearest or bilinear, whatever the materials say");
     sub.add_option("--aperture", options.aperture, "Diameter of the lens; 0 is a pinhole")
         ->type_name("A")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
     sub.add_option("--focus-distance", options.focus_distance, "What is in focus is this far away")
         ->type_name("D")
-        ->check(CLI::PositiveNumber);
-    sub.add_option("--compat", options.compat,
-                   "Render as a published program did: a4, a5, fa2016 or project")
-        ->check(CLI::IsMember({"a4", "a5", "fa2016", "project"}))
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
+    add_choice(sub, "--compat", options.compat, {"a4", "a5", "fa2016", "project"},
+               "Render as a published program did: a4, a5, fa2016 or project");
     sub.add_flag("--keep-going", options.keep_going,
                  "Render a scene with errors: what is broken is left out or shown in magenta");
     sub.add_option("--stdin-filepath", options.stdin_path,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -39,6 +40,21 @@ std::string follow_links(std::string path) {
         path = next.starts_with('/') ? next : folder_of(path) + next;
     }
     return path;
+}
+
+// /dev/stdout and its like name an open descriptor: what is behind it is to be written to, not to
+// be replaced. Gives the number, or -1.
+int descriptor_of(const std::string& path) {
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!path.starts_with(folder)) continue;
+        int number = -1;
+        const char* end = path.data() + path.size();
+        const auto read = std::from_chars(path.data() + folder.size(), end, number);
+        if (read.ec == std::errc() && read.ptr == end) return number;
+    }
+    return -1;
 }
 
 int write_all(int descriptor, std::string_view bytes) {
@@ -141,11 +157,18 @@ int replace(const std::string& target, std::string_view bytes) {
 }  // namespace
 
 std::string write_file(const std::string& path, std::string_view bytes) {
+    if (const int descriptor = descriptor_of(path); descriptor >= 0) {
+        const int failed = write_all(descriptor, bytes);
+        return failed == 0 || failed == EPIPE ? std::string() : failure(path, failed);
+    }
     const int error = replace(follow_links(path), bytes);
     return error == 0 ? std::string() : failure(path, error);
 }
 
 std::string check_writable(const std::string& path, std::uint64_t bytes) {
+    if (const int descriptor = descriptor_of(path); descriptor >= 0) {
+        return fcntl(descriptor, F_GETFD) >= 0 ? std::string() : failure(path, errno);
+    }
     const std::string target = follow_links(path);
     struct stat status {};
     if (stat(target.c_str(), &status) == 0) {
