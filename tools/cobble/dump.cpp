@@ -4,6 +4,7 @@
 #include <string>
 
 #include "frontend/parse/dump.hpp"
+#include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/driver/load.hpp"
 

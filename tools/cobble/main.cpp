@@ -5,9 +5,11 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "frontend/names/suggest.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/help.hpp"
 #include "tools/cobble/interrupt.hpp"
@@ -30,11 +32,39 @@ void describe(CLI::App& app) {
         "3 internal\nerror; 130 interrupted.");
 }
 
-// CLI11 would take an argument in brackets for a list, and one path is never that.
-void protect_brackets(std::vector<std::string>& arguments) {
+// CLI11 would take an argument in brackets for a list, which no path is, and it does not know that
+// behind "--" nothing is an option.
+void protect_paths(std::vector<std::string>& arguments) {
+    bool only_paths = false;
+    std::vector<std::string> result;
     for (std::string& argument : arguments) {
-        if (argument.starts_with('[') && argument.ends_with(']')) argument.insert(0, "./");
+        if (argument == "--" && !only_paths) {
+            only_paths = true;
+            continue;
+        }
+        const bool brackets = argument.starts_with('[') && argument.ends_with(']');
+        const bool dash = only_paths && argument.size() > 1 && argument.starts_with('-');
+        if (brackets || dash) argument.insert(0, "./");
+        result.push_back(std::move(argument));
     }
+    arguments = std::move(result);
+}
+
+// "" if the command line begins with an option or a command that there is.
+std::string wrong_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+    if (arguments.empty()) return "say what to do: `cobble --help` lists the commands";
+    const std::string& first = arguments.front();
+    if (first.starts_with('-')) return {};
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(sub->get_name());
+    }
+    if (std::find(names.begin(), names.end(), first) != names.end()) return {};
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view similar = frontend::nearest_name(first, views);
+    std::string text = "there is no command '" + first + "'";
+    if (!similar.empty()) text += "; did you mean '" + std::string(similar) + "'?";
+    return text + " (`cobble --help` lists the commands)";
 }
 
 int finish(Context& context, int status) {
@@ -58,7 +88,11 @@ int run(std::vector<std::string> arguments) {
         driver::complain(problem);
         return kFailure;
     }
-    protect_brackets(arguments);
+    if (const std::string problem = wrong_command(app, arguments); !problem.empty()) {
+        driver::complain(problem);
+        return kFailure;
+    }
+    protect_paths(arguments);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
     try {
         app.parse(std::move(arguments));

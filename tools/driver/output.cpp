@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "tools/driver/text.hpp"
+
 namespace cobble::driver {
 namespace {
 
@@ -59,7 +61,8 @@ void write_error(std::string_view text) { write_all(STDERR_FILENO, text); }
 
 void complain(std::string_view message) {
     std::string line = "cobble: ";
-    line += message;
+    // Paths come from anywhere, and so does what stands in them.
+    line += printable(message);
     line += '\n';
     write_error(line);
 }

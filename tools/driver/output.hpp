@@ -34,7 +34,7 @@ class Output {
 /// opened later is taken for one of them, and ignores SIGPIPE.
 void prepare_streams();
 
-/// Writes "cobble: MESSAGE" and a line end to standard error.
+/// Writes "cobble: MESSAGE" and a line end to standard error, control characters made visible.
 void complain(std::string_view message);
 
 /// Writes to standard error as it is.

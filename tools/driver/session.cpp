@@ -25,7 +25,9 @@ ReadText read_text(const std::string& path) {
     source::ReadResult file = disk.read(path, kMaxScene);
     if (file.status == source::ReadStatus::kOk) return {std::move(file.bytes), {}};
     const bool large = file.status == source::ReadStatus::kTooLarge;
-    return {{}, fmt::format("cannot read {}: {}", path, large ? kTooLarge : file.reason)};
+    return {{},
+            fmt::format("cannot read {}: {}", path.empty() ? "''" : path,
+                        large ? kTooLarge : file.reason)};
 }
 
 ReadText read_standard_input() {

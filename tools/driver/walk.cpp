@@ -211,8 +211,8 @@ SceneFiles find_scenes(const std::vector<std::string>& arguments) {
         if (argument == "-") {
             result.paths.push_back(argument);
         } else if (stat(argument.c_str(), &status) != 0) {
-            result.problems.push_back(
-                fmt::format("cannot read {}: {}", argument, std::strerror(errno)));
+            result.problems.push_back(fmt::format(
+                "cannot read {}: {}", argument.empty() ? "''" : argument, std::strerror(errno)));
         } else if (S_ISDIR(status.st_mode)) {
             walk.take_folder(argument);
         } else {
