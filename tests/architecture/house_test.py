@@ -57,8 +57,9 @@ MAX_LINES = 500
 
 def sources(root, extensions):
     for room in ROOMS:
+        # Test cases are data, whatever their files are called.
         for folder, folders, files in os.walk(os.path.join(root, room)):
-            folders[:] = sorted(f for f in folders if f not in ("build", "__pycache__"))
+            folders[:] = sorted(f for f in folders if f not in ("build", "cases", "__pycache__"))
             for name in sorted(files):
                 path = os.path.join(folder, name)
                 if not os.path.islink(path) and name.endswith(extensions):
@@ -75,14 +76,18 @@ def includes(text):
 
 
 def check_includes_go_down(root):
-    """No "../", and no folder that reaches itself through the folders that it includes."""
+    """No "../", and no folder whose headers reach it again through the headers that they include.
+
+    Source files may look further: what starts a job knows all that the job may turn out to be.
+    """
     graph = {}
     for path in sources(root, (".cpp", ".hpp", ".def")):
         folder = os.path.dirname(path)
         for kind, target in includes(read(root, path)):
             if ".." in target.split("/"):
                 yield f"{path}: includes {target}: write the path from the root"
-            if kind == '"' and os.path.dirname(target) != folder:
+            outside = kind == '"' and os.path.dirname(target) != folder
+            if outside and not path.endswith(".cpp"):
                 graph.setdefault(folder, {}).setdefault(os.path.dirname(target), path)
     done = set()
     for start in sorted(graph):

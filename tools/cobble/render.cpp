@@ -157,16 +157,23 @@ class Render {
             return kInterrupted;
         }
         if (!options_.quiet) say_what_was_done(progress);
-        return kDone;
+        // With --keep-going there is a picture, and still something to mend.
+        return driver::has_errors(view_.loaded.diagnostics) ? kFindings : kDone;
     }
 
     void say_what_was_done(const renderer::Progress& progress) const {
         const double rate = static_cast<double>(progress.rays) / std::max(progress.seconds, 1e-9);
-        driver::write_error(
-            fmt::format("{}: {}x{}, {} samples a pixel, {}rays in {:.2f} s ({}rays/s)\n",
-                        targets_.front().path, view_.settings.width, view_.settings.height,
-                        view_.settings.samples, short_number(static_cast<double>(progress.rays)),
-                        progress.seconds, short_number(rate)));
+        // A published program takes as many samples as its flags say.
+        const std::uint32_t samples = view_.settings.samples;
+        const std::string sampling =
+            view_.compat != ir::Compat::kNone
+                ? "as " + options_.view.compat
+                : fmt::format("{} sample{} a pixel", samples, samples == 1 ? "" : "s");
+        driver::write_error(fmt::format("{}: {}x{}, {}, {}rays in {:.2f} s ({}rays/s)\n",
+                                        targets_.front().path, view_.settings.width,
+                                        view_.settings.height, sampling,
+                                        short_number(static_cast<double>(progress.rays)),
+                                        progress.seconds, short_number(rate)));
     }
 
     int write(const renderer::Picture& picture, const renderer::Stats& stats,
