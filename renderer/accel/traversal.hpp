@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "renderer/accel/query.hpp"
-#include "renderer/accel/tree.hpp"
+#include "renderer/geometry/tree.hpp"
 
 namespace cobble::renderer {
 

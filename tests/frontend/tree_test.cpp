@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "frontend/parse/dump.hpp"
+#include "frontend/dump/dump.hpp"
 #include "tests/frontend/case_text.hpp"
 
 using namespace cobble;

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "frontend/parse/dump.hpp"
+#include "frontend/dump/dump.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/driver/load.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frontend/parse/dump.hpp"
+#include "frontend/dump/dump.hpp"
 
 #include <fmt/format.h>
 
