@@ -78,6 +78,7 @@ std::string bmp_damage(std::string_view bytes) {
     if (bits == 0 || bits > 32 || (bits < 8 && 8 % bits != 0)) {
         return "it claims " + std::to_string(bits) + " bits a pixel";
     }
+    if (width == 0 || height == 0) return "it has no pixels";
     // Width and height are below 2^32 and 2^31, so neither product overflows 64 bits.
     const std::uint64_t row = (width * bits + 31) / 32 * 4;
     if (offset > bytes.size() || (height > 0 && row > (bytes.size() - offset) / height)) {

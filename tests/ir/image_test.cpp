@@ -151,6 +151,11 @@ TEST_CASE("damaged files are told in plain words") {
     std::string odd = palette;
     odd[28] = 3;
     CHECK(reason(odd) == "it claims 3 bits a pixel");
+    // A thousand million rows of nothing: told at once.
+    std::string endless = palette;
+    endless.replace(18, 8, std::string("\0\0\0\0\0\0\0\x40", 8));
+    endless[30] = 9;  // of no kind that the decoder knows
+    CHECK(reason(endless) == "it has no pixels");
     std::string runs = bmp_header(2, 1, 8, 2) + std::string(12, '\0');
     runs[30] = 1;  // run-length compression
     CHECK(reason(runs) == "it is of a kind of BMP that cannot be read");
