@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/accel/tree.hpp"
 #include "renderer/geometry/primitives.hpp"
-#include "renderer/geometry/tree.hpp"
 
 namespace cobble::renderer {
 

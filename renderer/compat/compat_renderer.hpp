@@ -15,8 +15,8 @@
 #include <memory>
 
 #include "ir/scene/scene.hpp"
-#include "renderer/job/tile_renderer.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/work/tile_renderer.hpp"
 
 namespace cobble::renderer {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "ir/math/elementary.hpp"
-#include "renderer/accel/intersect.hpp"
 #include "renderer/compat/texture.hpp"
-#include "renderer/scene/surface.hpp"
+#include "renderer/intersect/intersect.hpp"
+#include "renderer/intersect/surface.hpp"
 #include "renderer/shading/noise.hpp"
 
 namespace cobble::renderer {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "renderer/accel/intersect.hpp"
 #include "renderer/compat/surface.hpp"
+#include "renderer/intersect/intersect.hpp"
 
 namespace cobble::renderer {
 namespace {

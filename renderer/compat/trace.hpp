@@ -13,8 +13,8 @@
 #include "renderer/compat/rules.hpp"
 #include "renderer/geometry/hit.hpp"
 #include "renderer/geometry/ray.hpp"
-#include "renderer/job/stats.hpp"
 #include "renderer/scene/prepared_scene.hpp"
+#include "renderer/work/stats.hpp"
 
 namespace cobble::renderer {
 

@@ -8,8 +8,8 @@
 #include "ir/scene/scene.hpp"
 #include "renderer/integrator/shading_scene.hpp"
 #include "renderer/integrator/trace.hpp"
-#include "renderer/job/tile_renderer.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/work/tile_renderer.hpp"
 
 namespace cobble::renderer {
 

@@ -9,13 +9,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/accel/intersect.hpp"
 #include "renderer/film/accumulator.hpp"
 #include "renderer/integrator/shading_scene.hpp"
 #include "renderer/integrator/surface_shading.hpp"
-#include "renderer/job/stats.hpp"
+#include "renderer/intersect/intersect.hpp"
+#include "renderer/intersect/surface.hpp"
 #include "renderer/sampling/sampler.hpp"
-#include "renderer/scene/surface.hpp"
+#include "renderer/work/stats.hpp"
 
 namespace cobble::renderer {
 

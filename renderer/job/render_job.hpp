@@ -12,9 +12,9 @@
 #include "ir/scene/scene.hpp"
 #include "renderer/film/picture.hpp"
 #include "renderer/job/scheduler.hpp"
-#include "renderer/job/stats.hpp"
-#include "renderer/job/stop.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/work/stats.hpp"
+#include "renderer/work/stop.hpp"
 
 namespace cobble::renderer {
 

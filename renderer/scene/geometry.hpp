@@ -10,8 +10,8 @@
 #include "ir/math/vec.hpp"
 #include "ir/scene/ids.hpp"
 #include "ir/scene/scene.hpp"
+#include "renderer/accel/tree.hpp"
 #include "renderer/geometry/primitives.hpp"
-#include "renderer/geometry/tree.hpp"
 
 namespace cobble::renderer {
 

@@ -9,7 +9,8 @@
 
 #include "ir/math/inverse.hpp"
 #include "renderer/accel/builder.hpp"
-#include "renderer/accel/query.hpp"
+#include "renderer/geometry/bounds.hpp"
+#include "renderer/geometry/wide.hpp"
 #include "renderer/scene/instance_bounds.hpp"
 #include "renderer/scene/prepared_scene.hpp"
 #include "renderer/scene/rebase.hpp"

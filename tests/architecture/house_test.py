@@ -76,18 +76,14 @@ def includes(text):
 
 
 def check_includes_go_down(root):
-    """No "../", and no folder whose headers reach it again through the headers that they include.
-
-    Source files may look further: what starts a job knows all that the job may turn out to be.
-    """
+    """No "../", and no folder that reaches itself through the folders that it includes."""
     graph = {}
     for path in sources(root, (".cpp", ".hpp", ".def")):
         folder = os.path.dirname(path)
         for kind, target in includes(read(root, path)):
             if ".." in target.split("/"):
                 yield f"{path}: includes {target}: write the path from the root"
-            outside = kind == '"' and os.path.dirname(target) != folder
-            if outside and not path.endswith(".cpp"):
+            if kind == '"' and os.path.dirname(target) != folder:
                 graph.setdefault(folder, {}).setdefault(os.path.dirname(target), path)
     done = set()
     for start in sorted(graph):

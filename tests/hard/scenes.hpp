@@ -9,8 +9,8 @@
 
 #include "ir/math/inverse.hpp"
 #include "ir/scene/scene.hpp"
-#include "renderer/accel/intersect.hpp"
-#include "renderer/scene/surface.hpp"
+#include "renderer/intersect/intersect.hpp"
+#include "renderer/intersect/surface.hpp"
 #include "tests/oracle/random.hpp"
 
 namespace cobble::test {

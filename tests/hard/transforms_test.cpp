@@ -3,7 +3,7 @@
 // cases, and their metamorphic tests.
 #include <doctest/doctest.h>
 
-#include "renderer/accel/query.hpp"
+#include "renderer/intersect/query.hpp"
 #include "tests/hard/scenes.hpp"
 
 namespace cobble::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/pick.hpp"
+#include "renderer/pick/pick.hpp"
 
 #include <doctest/doctest.h>
 

@@ -17,8 +17,8 @@
 
 #include "ir/math/elementary.hpp"
 #include "ir/scene/scene.hpp"
-#include "renderer/accel/intersect.hpp"
-#include "renderer/scene/surface.hpp"
+#include "renderer/intersect/intersect.hpp"
+#include "renderer/intersect/surface.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "frontend/source/source_map.hpp"
 #include "ir/scene/scene.hpp"
-#include "renderer/pick.hpp"
+#include "renderer/pick/pick.hpp"
 
 namespace cobble::driver {
 

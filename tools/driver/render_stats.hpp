@@ -6,8 +6,8 @@
 
 #include "frontend/source/source_map.hpp"
 #include "renderer/job/render_job.hpp"
-#include "renderer/job/stats.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/work/stats.hpp"
 #include "tools/driver/load.hpp"
 
 namespace cobble::driver {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "renderer/film/film.hpp"
-#include "renderer/job/stats.hpp"
-#include "renderer/job/stop.hpp"
+#include "renderer/work/stats.hpp"
+#include "renderer/work/stop.hpp"
 
 namespace cobble::renderer {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/accel/query.hpp"
-#include "renderer/geometry/tree.hpp"
+#include "renderer/accel/tree.hpp"
+#include "renderer/intersect/query.hpp"
 
 namespace cobble::renderer {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "renderer/job/tile_renderer.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/work/tile_renderer.hpp"
 
 namespace cobble::renderer {
 

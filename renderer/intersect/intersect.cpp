@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/accel/intersect.hpp"
+#include "renderer/intersect/intersect.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "renderer/accel/query.hpp"
-#include "renderer/accel/traversal.hpp"
+#include "renderer/intersect/query.hpp"
+#include "renderer/intersect/traversal.hpp"
 
 namespace cobble::renderer {
 

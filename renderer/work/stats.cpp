@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/job/stats.hpp"
+#include "renderer/work/stats.hpp"
 
 namespace cobble::renderer {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/job/tiles.hpp"
+#include "renderer/work/tiles.hpp"
 
 #include <algorithm>
 

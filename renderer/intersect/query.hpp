@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One ray's search: what is asked, what was found so far, and the tests of single primitives.
-// Private to renderer/accel: the tree and brute force share every line of it.
+// Private to this folder: the tree and brute force share every line of it.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "renderer/geometry/bounds.hpp"
 #include "renderer/geometry/box.hpp"
 #include "renderer/geometry/hit.hpp"
 #include "renderer/geometry/plane.hpp"
@@ -59,27 +60,6 @@ struct Search {
         if (before) best = {t, object, face, u, v};
     }
 };
-
-/// The smallest and greatest coordinates of a triangle: its own box.
-template <typename T>
-BoxBounds<T> bounds_of(const std::array<math::Vec3<T>, 3>& vertices) {
-    BoxBounds<T> box;
-    for (const auto& v : vertices) box.add(v);
-    return box;
-}
-
-/// A box around a sphere: centre and radius added, and moved outward by 2 epsilon of their
-/// magnitudes, where the sum's rounding and the product's can take back less than 1.
-template <typename T>
-BoxBounds<T> bounds_of(math::Vec3<T> center, T radius) {
-    BoxBounds<T> box;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const T pad = (std::fabs(center[i]) + radius) * (2 * std::numeric_limits<T>::epsilon());
-        box.lo[i] = (center[i] - radius) - pad;
-        box.hi[i] = (center[i] + radius) + pad;
-    }
-    return box;
-}
 
 /// Not a comparison alone: NaN stays and is refused by offer().
 template <typename T>

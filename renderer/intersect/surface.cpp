@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/scene/surface.hpp"
+#include "renderer/intersect/surface.hpp"
 
 #include <array>
 #include <cmath>
