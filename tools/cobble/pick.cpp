@@ -11,7 +11,7 @@
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/view_options.hpp"
-#include "tools/driver/pick_report.hpp"
+#include "tools/driver/report/pick_report.hpp"
 
 namespace cobble {
 namespace {

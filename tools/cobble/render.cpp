@@ -16,7 +16,7 @@
 #include "tools/cobble/progress.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/pictures.hpp"
-#include "tools/driver/render_stats.hpp"
+#include "tools/driver/report/render_stats.hpp"
 #include "tools/driver/write_file.hpp"
 
 namespace cobble {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/driver/render_stats.hpp"
+#include "tools/driver/report/render_stats.hpp"
 
 #include <fmt/core.h>
 #include <sys/resource.h>

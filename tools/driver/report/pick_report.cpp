@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/driver/pick_report.hpp"
+#include "tools/driver/report/pick_report.hpp"
 
 #include <fmt/core.h>
 
