@@ -171,6 +171,7 @@ View make_view(const ViewOptions& options, bool quiet) {
     view.encode_srgb = options.transfer == "srgb";
     ir::LowerOptions lower;
     lower.compat = view.compat;
+    lower.casting = options.original_casting;
     lower.decode_srgb = view.encode_srgb;
     view.loaded = driver::load_scene(options.scene, options.stdin_path, lower);
     if (view.loaded.session == nullptr) {
