@@ -33,10 +33,11 @@ struct Scene {
     source::SourceId id;
 };
 
-std::string report(ReportFormat format, const Scene& scene, const source::Diagnostic& finding) {
+std::string report(ReportFormat format, const Scene& scene, const source::Diagnostic& finding,
+                   const ReportStyle& style = {}) {
     std::string text;
     const auto reporter =
-        make_reporter(format, {}, [&text](std::string_view piece) { text += piece; });
+        make_reporter(format, style, [&text](std::string_view piece) { text += piece; });
     reporter->file({scene.id, &scene.sources, {finding}});
     reporter->finish({1, 1, 0});
     return text;
@@ -45,7 +46,8 @@ std::string report(ReportFormat format, const Scene& scene, const source::Diagno
 // The second and third line of the human report: the source and the carets under it.
 std::string excerpt(std::string_view text, std::string_view what, unsigned columns = 100) {
     Scene scene(text);
-    const std::string all = to_text(scene.about(what), scene.sources, {false, columns});
+    const std::string all =
+        report(ReportFormat::kHuman, scene, scene.about(what), {false, columns});
     return all.substr(all.find('\n') + 1);
 }
 
@@ -66,7 +68,7 @@ TEST_CASE("a place at the end of a line has a caret too") {
     Scene scene("abc\n");
     source::Diagnostic finding = scene.about("abc");
     finding.span.begin = finding.span.end = 3;
-    const std::string text = to_text(finding, scene.sources, {});
+    const std::string text = report(ReportFormat::kHuman, scene, finding);
     CHECK(text == "a.scene:1:4: error: found it [test-finding]\n  1 | abc\n    |    ^\n");
 }
 

@@ -155,10 +155,13 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
 void report_to_error(const driver::LoadedScene& loaded, bool errors_only) {
     const driver::ReportStyle style{driver::wants_color(STDERR_FILENO),
                                     driver::terminal_width(STDERR_FILENO, 100)};
-    for (const source::Diagnostic& diagnostic : loaded.diagnostics) {
-        if (errors_only && diagnostic.severity != source::Severity::kError) continue;
-        driver::write_error(driver::to_text(diagnostic, loaded.session->sources, style));
+    driver::FileReport report{loaded.session->scene, &loaded.session->sources, loaded.diagnostics};
+    if (errors_only) {
+        std::erase_if(report.diagnostics, [](const source::Diagnostic& diagnostic) {
+            return diagnostic.severity != source::Severity::kError;
+        });
     }
+    driver::make_reporter(driver::ReportFormat::kHuman, style, driver::write_error)->file(report);
 }
 
 View make_view(const ViewOptions& options, bool quiet) {

@@ -215,12 +215,6 @@ std::string_view name_of(source::Severity severity) {
     return "info";
 }
 
-std::string to_text(const source::Diagnostic& diagnostic, const source::SourceMap& sources,
-                    const ReportStyle& style) {
-    Positions positions(sources);
-    return write(diagnostic, "", positions, style);
-}
-
 std::unique_ptr<Reporter> make_human_reporter(const ReportStyle& style, Sink sink) {
     return std::make_unique<HumanReporter>(style, std::move(sink));
 }

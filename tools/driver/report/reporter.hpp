@@ -58,8 +58,4 @@ using Sink = std::function<void(std::string_view)>;
 
 std::unique_ptr<Reporter> make_reporter(ReportFormat format, const ReportStyle& style, Sink sink);
 
-/// One finding as the human reporter writes it, for messages elsewhere.
-std::string to_text(const source::Diagnostic& diagnostic, const source::SourceMap& sources,
-                    const ReportStyle& style);
-
 }  // namespace cobble::driver
