@@ -160,9 +160,12 @@ class Encoder {
         image(m.normal_map);
         image(m.bump_map);
         cube_map(m.cube_map);
-        // How pictures are read matters only where there are some.
-        if (m.texture.valid() || m.normal_map.valid() || m.bump_map.valid()) {
+        // How pictures are read matters only where there are some; a cube map has no scale.
+        const bool pictures = m.texture.valid() || m.normal_map.valid() || m.bump_map.valid();
+        if (pictures || m.cube_map.valid()) {
             integer(static_cast<std::uint64_t>(m.texture_filter));
+        }
+        if (pictures) {
             number(m.texture_scale.x);
             number(m.texture_scale.y);
         }

@@ -98,6 +98,9 @@ TEST_CASE("what means the same has one hash") {
 TEST_CASE("what means something else has another hash") {
     MemoryFiles files;
     add_files(files);
+    for (const char* face : {"left", "right", "up", "down", "front", "back"}) {
+        files.files["scene/cube/" + std::string(face) + ".bmp"] = files.files["scene/t.bmp"];
+    }
     std::set<std::string> hashes;
     std::size_t count = 0;
     const auto add = [&](const std::string& material, const std::string& object,
@@ -135,6 +138,8 @@ TEST_CASE("what means something else has another hash") {
     add("bump t.bmp", sphere);
     add("texture t.bmp textureFilter nearest", sphere);
     add("texture t.bmp textureScale 2 1", sphere);
+    add("cubeMap cube", sphere);
+    add("cubeMap cube textureFilter nearest", sphere);
     add("Noise { color 1 1 1 octaves 1 }", sphere);
     add("Noise { color 1 1 1 octaves 2 }", sphere);
     add("Noise { color 1 1 1 octaves 1 amplitude 2 }", sphere);
