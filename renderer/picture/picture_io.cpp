@@ -115,6 +115,15 @@ Plane32 make_plane(std::uint32_t width, std::uint32_t height) {
     return plane;
 }
 
+std::string problem_of_size(std::uint64_t width, std::uint64_t height, std::uint32_t channels) {
+    // The libraries count bytes in 32 bits with a sign; no number of a picture takes more than 4.
+    constexpr std::uint64_t kMaxValues = std::numeric_limits<std::int32_t>::max() / 4;
+    if (width <= kMaxSide && height <= kMaxSide && width * height * channels <= kMaxValues) {
+        return {};
+    }
+    return fmt::format("a picture of {} x {} pixels is too large for a file", width, height);
+}
+
 Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& options) {
     if (plane.channels != 1 && plane.channels != 3) {
         return {{}, fmt::format("a picture has 1 or 3 channels, not {}", plane.channels)};
@@ -123,11 +132,9 @@ Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& 
         plane.values.size() != std::size_t{plane.width} * plane.height * plane.channels) {
         return {{}, "the picture has no pixels"};
     }
-    if (plane.width > kMaxSide || plane.height > kMaxSide ||
-        plane.values.size() > std::numeric_limits<std::int32_t>::max() / 4) {
-        return {{},
-                fmt::format("a picture of {} x {} pixels is too large for a file", plane.width,
-                            plane.height)};
+    if (std::string problem = problem_of_size(plane.width, plane.height, plane.channels);
+        !problem.empty()) {
+        return {{}, std::move(problem)};
     }
     switch (format) {
         case PictureFormat::kPng:

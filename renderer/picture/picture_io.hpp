@@ -2,6 +2,7 @@
 // Pictures as file contents, and back.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,10 @@ struct EncodeOptions {
     Quantise quantise = Quantise::kRound;
     bool encode_srgb = false;  ///< 8-bit formats only, with kRound
 };
+
+/// What speaks against writing a picture of this size in any format, or "": known before there is
+/// one.
+std::string problem_of_size(std::uint64_t width, std::uint64_t height, std::uint32_t channels);
 
 struct Encoded {
     std::string bytes;

@@ -84,8 +84,17 @@ class Render {
         }
         std::vector<std::uint32_t> size;
         parse_numbers(options_.view.size, 'x', 2, size);
+        std::vector<std::uint32_t> crop;
+        if (!options_.view.crop.empty() && parse_numbers(options_.view.crop, ',', 4, crop)) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                size[i] = std::min(size[i], crop[i + 2]) - std::min(size[i], crop[i]);
+            }
+        }
         for (const Target& target : targets_) {
-            std::string problem = driver::check_picture_path(target.path, size[0], size[1]);
+            const bool one_channel = target.plane == &renderer::Picture::depth ||
+                                     target.plane == &renderer::Picture::sample_count;
+            std::string problem =
+                driver::check_picture_path(target.path, size[0], size[1], one_channel ? 1 : 3);
             if (!problem.empty()) return problem;
         }
         return options_.stats.empty() ? "" : driver::check_writable(options_.stats, 0);

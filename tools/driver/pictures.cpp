@@ -59,13 +59,16 @@ std::string write_picture(const std::string& path, const renderer::Plane32& plan
     return write_file(path, encoded.bytes);
 }
 
-std::string check_picture_path(const std::string& path, std::uint32_t width, std::uint32_t height) {
+std::string check_picture_path(const std::string& path, std::uint32_t width, std::uint32_t height,
+                               std::uint32_t channels) {
     const auto format = renderer::picture_format(path);
     if (!format) return unknown_ending(path);
+    const std::string problem = renderer::problem_of_size(width, height, channels);
+    if (!problem.empty()) return fmt::format("cannot write {}: {}", path, problem);
     const std::uint64_t pixels = std::uint64_t{width} * height;
     // The sizes of the formats without compression are known beforehand.
     std::uint64_t bytes = 0;
-    if (*format == renderer::PictureFormat::kPfm) bytes = pixels * 12;
+    if (*format == renderer::PictureFormat::kPfm) bytes = pixels * 4 * channels;
     if (*format == renderer::PictureFormat::kBmp) bytes = pixels * 3;
     if (*format == renderer::PictureFormat::kTga) bytes = pixels * 3;
     return check_writable(path, bytes);

@@ -27,8 +27,10 @@ std::string write_picture(const std::string& path, const renderer::Plane32& plan
                           const renderer::EncodeOptions& options);
 
 /// What speaks against writing a picture of this size to `path`: an ending that names no format, a
-/// folder that is not there, no room on the disk. Gives "" or what is wrong; writes nothing.
-std::string check_picture_path(const std::string& path, std::uint32_t width, std::uint32_t height);
+/// size that no file holds, a folder that is not there, no room on the disk. Gives "" or what is
+/// wrong; writes nothing.
+std::string check_picture_path(const std::string& path, std::uint32_t width, std::uint32_t height,
+                               std::uint32_t channels);
 
 /// True for the formats that keep 8 bits a channel.
 bool keeps_bytes(const std::string& path);
