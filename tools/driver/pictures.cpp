@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/compat/pictures.hpp"
 #include "tools/driver/disk_file_source.hpp"
 #include "tools/driver/write_file.hpp"
 
@@ -82,7 +83,6 @@ bool keeps_bytes(const std::string& path) {
 
 renderer::Plane32 depth_as_grey(const renderer::Plane32& depth, ir::Compat compat,
                                 std::optional<std::pair<double, double>> range) {
-    renderer::Plane32 grey = like(depth);
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const float t : depth.values) {
@@ -93,28 +93,19 @@ renderer::Plane32 depth_as_grey(const renderer::Plane32& depth, ir::Compat compa
     if (range) {
         low = range->first;
         high = range->second;
+    } else if (!(low <= high)) {
+        low = 0;  // nothing but misses, which are far beyond any range
+        high = 1;
+    } else if (low == high) {
+        high = 2 * low + 1;  // a flat picture has no range: all of it is near
     }
-    const bool dark_is_near = compat == ir::Compat::kFa2016;
-    for (std::size_t i = 0; i < grey.values.size(); ++i) {
-        const double t = depth.values[i];
-        // A flat picture has no range: all of it is near.
-        double far = high > low ? (t - low) / (high - low) : 0.0;
-        if (!std::isfinite(t)) far = 1;
-        far = std::clamp(far, 0.0, 1.0);
-        grey.values[i] = static_cast<float>(dark_is_near ? far : 1 - far);
-    }
-    return grey;
+    return renderer::compat_depth_picture(depth, compat, low, high);
 }
 
 renderer::Plane32 normals_as_color(const renderer::Plane32& normals, ir::Compat compat) {
-    const bool absolute =
-        compat == ir::Compat::kA4 || compat == ir::Compat::kA5 || compat == ir::Compat::kProject;
-    renderer::Plane32 color = like(normals);
-    for (std::size_t i = 0; i < color.values.size(); ++i) {
-        const float n = normals.values[i];
-        color.values[i] = absolute ? std::fabs(n) : (n + 1) / 2;
-    }
-    return color;
+    // Cobble's own are written as in the edition of 2016.
+    const bool own = compat == ir::Compat::kNone;
+    return renderer::compat_normals_picture(normals, own ? ir::Compat::kFa2016 : compat);
 }
 
 renderer::Plane32 counts_as_grey(const renderer::Plane32& counts) {
