@@ -5,6 +5,7 @@
 #include "renderer/compat/camera.hpp"
 #include "renderer/compat/filter.hpp"
 #include "renderer/compat/trace.hpp"
+#include "renderer/sampling/hash.hpp"
 #include "renderer/scene/prepared_scene.hpp"
 
 namespace cobble::renderer {
@@ -15,20 +16,13 @@ constexpr std::uint32_t kLensRays = 16;
 
 std::uint32_t rays_per_sample(const CompatRules& rules) { return rules.focus ? kLensRays : 1; }
 
-/// The finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): every bit depends on all.
-constexpr std::uint64_t mixed(std::uint64_t x) {
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebU;
-    return x ^ x >> 31;
-}
-
 /// In [0, 1), by sample of the high-resolution picture, ray through the lens, and use.
 double uniform(std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint32_t ray,
                std::uint32_t use) {
     constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15U;  // 2^64 over the golden ratio
-    std::uint64_t state = mixed(seed + kStep);
-    state = mixed(state + kStep + (std::uint64_t{y} << 32 | x));
-    state = mixed(state + kStep + (std::uint64_t{use} << 32 | ray));
+    std::uint64_t state = mix64(seed + kStep);
+    state = mix64(state + kStep + (std::uint64_t{y} << 32 | x));
+    state = mix64(state + kStep + (std::uint64_t{use} << 32 | ray));
     return static_cast<double>(state >> 11) * 0x1p-53;
 }
 

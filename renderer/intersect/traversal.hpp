@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk through a tree: nearest child first, on a stack of its own. Private to renderer/accel.
+// The walk through a tree: nearest child first, on a stack of its own. Private to this folder.
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 import signal, subprocess, time, os
 process = subprocess.Popen(["cobble", "render", "good.scene", "--size", "400x300", "--samples", "1000000", "-o", "big.pfm"])
 time.sleep(1)
