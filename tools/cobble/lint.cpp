@@ -12,6 +12,7 @@
 
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/cobble/interrupt.hpp"
 #include "tools/driver/disk_file_source.hpp"
 #include "tools/driver/fixes.hpp"
 #include "tools/driver/report/reporter.hpp"
@@ -69,8 +70,16 @@ class Lint {
                 context_.out.write(text);
             }
         });
+        std::optional<InterruptGuard> guard;
+        // From here on files change: an interrupt waits for the one at hand, but not for somebody
+        // who types.
+        if (fixing_ && !options_.diff && !to_error) guard.emplace();
         for (const std::string& path : files.paths) {
             if (context_.out.closed()) break;
+            if (InterruptGuard::interrupted()) {
+                driver::complain("interrupted; the files not yet reached are as they were");
+                return kInterrupted;
+            }
             lint(path);
         }
         reporter_->finish(summary_);
