@@ -91,7 +91,9 @@ void add_rules_above(IgnoreRules& rules, const std::string& folder) {
         const bool top = stat((at + ".git").c_str(), &status) == 0;
         if (at != folder) above.push_back(at);
         if (top) break;
-        if (at == "/") return;  // no repository: only what lies within the folder counts
+        // No repository: only what lies within the folder counts. A folder whose own name the
+        // system would not tell (it is too long) has nothing above it that could be found.
+        if (at == "/" || !at.starts_with('/')) return;
         at = at.substr(0, at.rfind('/', at.size() - 2) + 1);
     }
     for (auto at = above.rbegin(); at != above.rend(); ++at) add_rules(rules, *at, *at);
