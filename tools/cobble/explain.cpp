@@ -115,7 +115,8 @@ int explain_scene(const Options& options, Context& context) {
             constexpr std::size_t kEnough = 60;
             const std::string_view line =
                 trimmed(positions.lines(cause.source).line_text(at.line)).substr(0, kEnough);
-            context.out.write(fmt::format("    {}:{}:{}: {}\n", positions.path(cause), at.line,
+            context.out.write(fmt::format("    {}:{}:{}: {}\n",
+                                          driver::printable(positions.path(cause)), at.line,
                                           at.column, driver::printable(line)));
         }
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tools/driver/report/diagnostic_json.hpp"
+#include "tools/driver/text.hpp"
 
 namespace cobble::driver {
 namespace {
@@ -108,11 +109,13 @@ class Writer {
     std::string place(source::Span span) {
         if (!span.valid()) return "";
         const source::LineColumn at = positions_.start(span);
-        return fmt::format("{}:{}:{}", report_.sources.path(span.source), at.line, at.column);
+        return fmt::format("{}:{}:{}", printable(report_.sources.path(span.source)), at.line,
+                           at.column);
     }
 
     std::string named(std::string_view kind, const std::string& label, source::Span span) {
-        return fmt::format("{}{}{}  {}", kind, label.empty() ? "" : " ", label, place(span));
+        return fmt::format("{}{}{}  {}", kind, label.empty() ? "" : " ", printable(label),
+                           place(span));
     }
 
     std::string node_text(const PickNode& node, const std::string& indent) {
