@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frontend/format/edits.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "frontend/format/writer.hpp"
 
@@ -139,24 +137,6 @@ class Differ {
     std::vector<LineEdit> edits_;
 };
 
-constexpr std::uint32_t kContext = 3;  // what diff -u shows
-
-/// "12,3", or "12" for one line; an empty range names the line before it.
-std::string hunk_range(std::uint32_t first, std::uint32_t count) {
-    if (count == 1) return fmt::format("{}", first + 1);
-    return fmt::format("{},{}", count == 0 ? first : first + 1, count);
-}
-
-void put_line(std::string& out, char mark, std::string_view line) {
-    out.push_back(mark);
-    out.append(line);
-    if (line.empty() || !is_line_end(line.back())) {
-        out.append("\n\\ No newline at end of file\n");
-    } else if (line.back() == '\r') {
-        out.push_back('\n');
-    }
-}
-
 }  // namespace
 
 std::vector<LineEdit> line_edits(std::string_view before, std::string_view after) {
@@ -176,56 +156,6 @@ std::string apply(std::string_view before, std::string_view after,
     }
     result.append(before.substr(at));
     return result;
-}
-
-std::string unified_diff(std::string_view before, std::string_view after,
-                         std::string_view before_name, std::string_view after_name) {
-    const std::vector<LineEdit> edits = line_edits(before, after);
-    if (edits.empty()) return {};
-    const std::vector<Line> old_lines = split(before).lines;
-    const std::vector<Line> new_lines = split(after).lines;
-    const auto old_line = [&](std::uint32_t i) {
-        return before.substr(old_lines[i].begin, old_lines[i].end - old_lines[i].begin);
-    };
-    const auto new_line = [&](std::uint32_t i) {
-        return after.substr(new_lines[i].begin, new_lines[i].end - new_lines[i].begin);
-    };
-    const auto old_size = static_cast<std::uint32_t>(old_lines.size());
-
-    std::string out = fmt::format("--- {}\n+++ {}\n", before_name, after_name);
-    for (std::size_t first = 0; first < edits.size();) {
-        // Edits whose context would touch stand in one hunk.
-        std::size_t last = first;
-        while (last + 1 < edits.size() &&
-               edits[last + 1].old_line - (edits[last].old_line + edits[last].old_count) <=
-                   2 * kContext) {
-            ++last;
-        }
-        const std::uint32_t lead = std::min(edits[first].old_line, kContext);
-        const std::uint32_t old_begin = edits[first].old_line - lead;
-        const std::uint32_t old_end =
-            std::min(edits[last].old_line + edits[last].old_count + kContext, old_size);
-        const std::uint32_t new_begin = edits[first].new_line - lead;
-        const std::uint32_t tail = old_end - (edits[last].old_line + edits[last].old_count);
-        const std::uint32_t new_end = edits[last].new_line + edits[last].new_count + tail;
-        fmt::format_to(std::back_inserter(out), "@@ -{} +{} @@\n",
-                       hunk_range(old_begin, old_end - old_begin),
-                       hunk_range(new_begin, new_end - new_begin));
-        std::uint32_t line = old_begin;
-        for (std::size_t i = first; i <= last; ++i) {
-            const LineEdit& edit = edits[i];
-            for (; line < edit.old_line; ++line) put_line(out, ' ', old_line(line));
-            for (; line < edit.old_line + edit.old_count; ++line) {
-                put_line(out, '-', old_line(line));
-            }
-            for (std::uint32_t n = 0; n < edit.new_count; ++n) {
-                put_line(out, '+', new_line(edit.new_line + n));
-            }
-        }
-        for (; line < old_end; ++line) put_line(out, ' ', old_line(line));
-        first = last + 1;
-    }
-    return out;
 }
 
 }  // namespace cobble::frontend

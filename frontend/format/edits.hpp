@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The difference of two texts as edits of whole lines: what an editor applies so that folds, cursor
-// and breakpoints elsewhere stay, and what `fmt --diff` shows.
+// and breakpoints elsewhere stay.
 #pragma once
 
 #include <cstdint>
@@ -33,10 +33,5 @@ std::vector<LineEdit> line_edits(std::string_view before, std::string_view after
 /// `before` with the edits applied, whose `new_bytes` are of `after`.
 std::string apply(std::string_view before, std::string_view after,
                   const std::vector<LineEdit>& edits);
-
-/// The difference in the unified format of POSIX `diff -u` with three lines of context, empty if
-/// there is none. The names stand in its head as they are; a missing final line end is marked.
-std::string unified_diff(std::string_view before, std::string_view after,
-                         std::string_view before_name, std::string_view after_name);
 
 }  // namespace cobble::frontend

@@ -68,6 +68,16 @@ TEST_CASE("a difference is written as diff -u writes it") {
     CHECK(unified_diff("", "a\n", "old", "new") == "--- old\n+++ new\n@@ -0,0 +1 @@\n+a\n");
     CHECK(unified_diff("a", "a\n", "old", "new") ==
           "--- old\n+++ new\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+a\n");
+    CHECK(unified_diff("\na\n", "a\n", "x", "y") == "--- x\n+++ y\n@@ -1,2 +1 @@\n-\n a\n");
+}
+
+TEST_CASE("changes whose context would touch stand in one hunk") {
+    const std::string six = "1\n2\n3\n4\n5\n6\n";
+    CHECK(unified_diff(" a\n" + six + " b\n", "a\n" + six + "b\n", "x", "y") ==
+          "--- x\n+++ y\n@@ -1,8 +1,8 @@\n- a\n+a\n 1\n 2\n 3\n 4\n 5\n 6\n- b\n+b\n");
+    CHECK(unified_diff(" a\n" + six + "7\n b\n", "a\n" + six + "7\nb\n", "x", "y") ==
+          "--- x\n+++ y\n@@ -1,4 +1,4 @@\n- a\n+a\n 1\n 2\n 3\n"
+          "@@ -6,4 +6,4 @@\n 5\n 6\n 7\n- b\n+b\n");
 }
 
 TEST_CASE("applying a difference to the first text gives the second") {

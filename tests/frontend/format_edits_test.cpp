@@ -46,22 +46,5 @@ TEST_CASE("texts that differ in more than white space still give a right edit") 
     check("a\na\na\n", "a\na\n", 1, 1);
 }
 
-TEST_CASE("a unified diff reads as diff -u writes it") {
-    CHECK(unified_diff("a\n", "a\n", "x", "y").empty());
-    CHECK(unified_diff("1\n2\n3\n4\n 5\n6\n7\n8\n9\n", "1\n2\n3\n4\n5\n6\n7\n8\n9\n", "x", "y") ==
-          "--- x\n+++ y\n@@ -2,7 +2,7 @@\n 2\n 3\n 4\n- 5\n+5\n 6\n 7\n 8\n");
-    CHECK(unified_diff("a", "a\n", "x", "y") ==
-          "--- x\n+++ y\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+a\n");
-    CHECK(unified_diff("\na\n", "a\n", "x", "y") == "--- x\n+++ y\n@@ -1,2 +1 @@\n-\n a\n");
-    CHECK(unified_diff("", "a\n", "x", "y") == "--- x\n+++ y\n@@ -0,0 +1 @@\n+a\n");
-    // Six lines between two changes are the context of both: one hunk; seven make two.
-    const std::string six = "1\n2\n3\n4\n5\n6\n";
-    CHECK(unified_diff(" a\n" + six + " b\n", "a\n" + six + "b\n", "x", "y") ==
-          "--- x\n+++ y\n@@ -1,8 +1,8 @@\n- a\n+a\n 1\n 2\n 3\n 4\n 5\n 6\n- b\n+b\n");
-    CHECK(unified_diff(" a\n" + six + "7\n b\n", "a\n" + six + "7\nb\n", "x", "y") ==
-          "--- x\n+++ y\n@@ -1,4 +1,4 @@\n- a\n+a\n 1\n 2\n 3\n"
-          "@@ -6,4 +6,4 @@\n 5\n 6\n 7\n- b\n+b\n");
-}
-
 }  // namespace
 }  // namespace cobble::frontend
