@@ -96,12 +96,13 @@ Decoded decode_bitmap(std::string_view bytes) {
     int width = 0;
     int height = 0;
     int channels = 0;
-    if (stbi_info_from_memory(data_of(bytes), size, &width, &height, &channels) == 0 || width < 0 ||
-        height < 0) {
+    if (stbi_info_from_memory(data_of(bytes), size, &width, &height, &channels) == 0 || width < 0) {
         return failed("not a PNG, BMP, TGA, JPEG, PFM, HDR or EXR picture");
     }
     const auto w = static_cast<std::uint32_t>(width);
-    const auto h = static_cast<std::uint32_t>(height);
+    // BMP stores pictures that run downwards with a negative height.
+    const auto h =
+        height < 0 ? 0U - static_cast<std::uint32_t>(height) : static_cast<std::uint32_t>(height);
     if (std::string error = size_error(w, h); !error.empty()) return failed(error);
     Decoded result;
     result.display = true;

@@ -169,6 +169,16 @@ TEST_CASE("the first pixel is the top left one, and blue stays blue") {
     CHECK(pfm.substr(pfm.size() - 12, 4) == std::string("\0\0\x80\x3f", 4));  // red, last row
 }
 
+TEST_CASE("BMP: rows that run downwards have a negative height") {
+    const Plane32 plane{1, 2, 3, {1, 0, 0, 0, 0, 1}};
+    std::string file = encode(plane, PictureFormat::kBmp).bytes;
+    file.replace(22, 4, "\xfe\xff\xff\xff");  // -2
+    const Decoded decoded = decode(file);
+    REQUIRE(decoded.error == "");
+    CHECK(decoded.plane.height == 2);
+    CHECK(decoded.plane.values == std::vector<float>{0, 0, 1, 1, 0, 0});
+}
+
 TEST_CASE("EXR: another reader sees the same numbers") {
     const Plane32 plane = light(33, 37);
     const Encoded encoded = encode(plane, PictureFormat::kExr);
