@@ -18,18 +18,18 @@ namespace {
 // Large enough that a system call costs nothing beside what was written.
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
 
-// Writes all of `text`; 0, or the errno that stopped it.
-int write_all(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t done = ::write(descriptor, text.data(), text.size());
+}  // namespace
+
+int write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        // Linux writes at most 0x7ffff000 bytes at a time.
+        const ssize_t done = ::write(descriptor, bytes.data(), bytes.size());
         if (done < 0 && errno == EINTR) continue;
         if (done < 0) return errno;
-        text.remove_prefix(static_cast<std::size_t>(done));
+        bytes.remove_prefix(static_cast<std::size_t>(done));
     }
     return 0;
 }
-
-}  // namespace
 
 void Output::write(std::string_view text) {
     if (closed_ || !error_.empty()) return;

@@ -30,6 +30,9 @@ class Output {
     bool closed_ = false;
 };
 
+/// Writes all of `bytes`, however many calls that takes; 0, or the errno that stopped it.
+int write_all(int descriptor, std::string_view bytes);
+
 /// Opens /dev/null on those of the three standard descriptors that are closed, so that no file
 /// opened later is taken for one of them, and ignores SIGPIPE.
 void prepare_streams();

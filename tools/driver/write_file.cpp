@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/driver/output.hpp"
+
 namespace cobble::driver {
 namespace {
 
@@ -55,17 +57,6 @@ int descriptor_of(const std::string& path) {
         if (read.ec == std::errc() && read.ptr == end) return number;
     }
     return -1;
-}
-
-int write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        // Linux writes at most 0x7ffff000 bytes at a time.
-        const ssize_t done = ::write(descriptor, bytes.data(), bytes.size());
-        if (done < 0 && errno == EINTR) continue;
-        if (done < 0) return errno;
-        bytes.remove_prefix(static_cast<std::size_t>(done));
-    }
-    return 0;
 }
 
 // A new file beside its later place, removed again unless it is kept.
