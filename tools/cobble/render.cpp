@@ -113,6 +113,11 @@ class Render {
             parse_numbers(options_.shard, '/', 2, shard);
             settings.shard_index = shard[0] - 1;
             settings.shard_count = shard[1];
+            // Each part would find a range of its own.
+            if (shard[1] > 1 && options_.view.depth_range.empty() && !options_.depth.empty() &&
+                driver::keeps_bytes(options_.depth)) {
+                return "--shard: distances as grey need a --depth-range that all parts share";
+            }
         }
         settings.want_depth = !options_.depth.empty();
         settings.want_normals = !options_.normals.empty();
