@@ -79,16 +79,13 @@ std::string bmp_damage(std::string_view bytes) {
         return "it claims " + std::to_string(bits) + " bits a pixel";
     }
     if (width == 0 || height == 0) return "it has no pixels";
-    // Width and height are below 2^32 and 2^31, so neither product overflows 64 bits.
+    if (offset > bytes.size()) return kCutShort;
+    // Divided, not multiplied: rows are below 2^35 bytes and heights at most 2^31. Some programs
+    // leave out the padding of the last row.
+    const std::uint64_t room = bytes.size() - offset;
     const std::uint64_t row = (width * bits + 31) / 32 * 4;
-    if (offset > bytes.size() || (height > 0 && row > (bytes.size() - offset) / height)) {
-        // Some programs leave out the padding of the last row.
-        const std::uint64_t packed = (width * bits + 7) / 8;
-        if (offset > bytes.size() || height == 0 ||
-            row * (height - 1) + packed > bytes.size() - offset) {
-            return kCutShort;
-        }
-    }
+    const std::uint64_t packed = (width * bits + 7) / 8;
+    if (packed > room || height - 1 > (room - packed) / row) return kCutShort;
     if (bits > 8) return {};
     const std::uint64_t entry = old ? 3 : 4;
     if (offset < 14 + header) return "its palette has no place";

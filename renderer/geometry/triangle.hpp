@@ -94,7 +94,7 @@ ShearedPoint<T> shear(const RayShear<T>& ray, math::Vec3<T> relative) {
 inline double exact_edge(ShearedPoint<float> p, ShearedPoint<float> q) {
     return double{p.x} * q.y - double{p.y} * q.x;
 }
-/// Exact for points whose numbers are within 2^±440 (see scaled()).
+/// Exact for points whose numbers are within 2^±440 (see common_scale()).
 inline math::DoubleDouble exact_edge(ShearedPoint<double> p, ShearedPoint<double> q) {
     return math::two_product(p.x, q.y) - math::two_product(p.y, q.x);
 }
