@@ -18,7 +18,6 @@ namespace cobble::renderer {
 namespace {
 
 using math::Affined;
-using math::Vec2;
 using math::Vec2d;
 using math::Vec3;
 using math::Vec3d;

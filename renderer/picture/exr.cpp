@@ -74,7 +74,8 @@ std::string restored(std::string differences) {
 std::optional<std::string> expanded_runs(std::string_view bytes, std::size_t size) {
     std::string out;
     while (!bytes.empty()) {
-        const int code = static_cast<signed char>(bytes.front());
+        const int byte = static_cast<unsigned char>(bytes.front());
+        const int code = byte < 128 ? byte : byte - 256;
         bytes.remove_prefix(1);
         const auto count = static_cast<std::size_t>(code < 0 ? -code : code + 1);
         if (out.size() + count > size || bytes.size() < (code < 0 ? count : 1)) return std::nullopt;

@@ -38,8 +38,9 @@ std::string follow_links(std::string path) {
         std::vector<char> target(4096);
         const ssize_t length = readlink(path.c_str(), target.data(), target.size());
         if (length <= 0) break;
-        const std::string next(target.data(), static_cast<std::size_t>(length));
-        path = next.starts_with('/') ? next : folder_of(path) + next;
+        const std::string_view next(target.data(), static_cast<std::size_t>(length));
+        path = next.starts_with('/') ? std::string() : folder_of(path);
+        path += next;
     }
     return path;
 }
