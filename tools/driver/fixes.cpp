@@ -2,6 +2,9 @@
 #include "tools/driver/fixes.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string_view>
 #include <utility>
 
 namespace cobble::driver {
@@ -13,8 +16,10 @@ bool applicable(const source::Fix& fix, source::SourceId scene, bool unsafe) {
                        [scene](const source::Edit& edit) { return edit.span.source == scene; });
 }
 
+// How often everything is fixed at once; fixes that make room for others seldom need three turns.
+constexpr int kMaxTurns = 20;
 // How often fixes are tried one by one, each at the price of a lint, before what is left stays.
-constexpr int kMaxSingleTries = 1000;
+constexpr int kMaxSingleTries = 200;
 
 // Two insertions at one place touch as well: their order would be a guess.
 bool touch(source::Span a, source::Span b) {
@@ -36,10 +41,20 @@ std::string apply_edits(std::string_view text, std::vector<const source::Edit*> 
 
 std::vector<source::Diagnostic> findings(const std::string& path, const std::string& text,
                                          source::FileSource& files, const SeverityRules& rules,
-                                         source::SourceId& scene) {
-    Session session(path, text);
+                                         source::SourceId& scene, Session::Fixes fixes) {
+    Session session(path, text, fixes);
     scene = session.scene;
     return lint(session, files, rules);
+}
+
+// True if there are fewer findings than before, and of no code more: together the fixes helped.
+bool better(const std::vector<source::Diagnostic>& before,
+            const std::vector<source::Diagnostic>& after) {
+    std::map<std::string_view, std::ptrdiff_t> change;
+    for (const auto& diagnostic : before) --change[diagnostic.code->code];
+    for (const auto& diagnostic : after) ++change[diagnostic.code->code];
+    return after.size() < before.size() &&
+           std::all_of(change.begin(), change.end(), [](const auto& c) { return c.second <= 0; });
 }
 
 }  // namespace
@@ -83,7 +98,21 @@ Fixed fix_until_stable(const std::string& path, std::string text, source::FileSo
                        const SeverityRules& rules, bool unsafe) {
     Fixed result{std::move(text), 0};
     source::SourceId scene;
-    auto diagnostics = findings(path, result.text, files, rules, scene);
+    // All fixes of the file at once, checked together: one lint a turn, however many they are.
+    auto diagnostics =
+        findings(path, result.text, files, rules, scene, Session::Fixes::kUnverified);
+    for (int turn = 0; turn < kMaxTurns; ++turn) {
+        std::size_t count = 0;
+        std::string changed = apply_fixes(result.text, scene, diagnostics, unsafe, count);
+        if (count == 0) break;
+        auto remaining = findings(path, changed, files, rules, scene, Session::Fixes::kUnverified);
+        if (!better(diagnostics, remaining)) break;
+        result.text = std::move(changed);
+        result.applied += count;
+        diagnostics = std::move(remaining);
+    }
+    // What is left has fixes that do not go together: only those that help by themselves.
+    diagnostics = findings(path, result.text, files, rules, scene, Session::Fixes::kVerified);
     // Each turn lowers the number of findings, or else steps over one of them: so this ends.
     std::size_t first = 0;  // findings before this one have no fix that helps
     bool all_at_once = true;
@@ -101,7 +130,7 @@ Fixed fix_until_stable(const std::string& path, std::string text, source::FileSo
             continue;
         }
         if (!all_at_once) ++tries;
-        auto remaining = findings(path, changed, files, rules, scene);
+        auto remaining = findings(path, changed, files, rules, scene, Session::Fixes::kVerified);
         if (remaining.size() < diagnostics.size()) {
             result.text = std::move(changed);
             result.applied += count;

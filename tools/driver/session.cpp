@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "frontend/check/verify_fixes.hpp"
 #include "tools/driver/disk_file_source.hpp"
 
 namespace cobble::driver {
@@ -53,9 +54,10 @@ ReadText read_standard_input() {
     return result;
 }
 
-Session::Session(std::string path, std::string text)
+Session::Session(std::string path, std::string text, Fixes fixes)
     : scene(sources.add(std::move(path), std::move(text))),
-      checked(frontend::check(scene, sources.text(scene))) {}
+      checked(fixes == Fixes::kVerified ? frontend::check(scene, sources.text(scene))
+                                        : frontend::check_unverified(scene, sources.text(scene))) {}
 
 void apply(const SeverityRules& rules, std::vector<source::Diagnostic>& diagnostics) {
     std::erase_if(diagnostics, [&rules](const source::Diagnostic& diagnostic) {

@@ -36,7 +36,9 @@ struct SeverityRules {
 /// One scene, all its findings, and the texts that they speak of. Not to be moved: views into
 /// `sources` are held by `checked`.
 struct Session {
-    explicit Session(std::string path, std::string text);
+    /// With kUnverified, fixes are listed that may not help: for callers who check again anyway.
+    enum class Fixes : unsigned char { kVerified, kUnverified };
+    explicit Session(std::string path, std::string text, Fixes fixes = Fixes::kVerified);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
