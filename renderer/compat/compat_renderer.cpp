@@ -53,6 +53,10 @@ class CompatRenderer : public TileRenderer {
 
     [[nodiscard]] std::uint64_t bytes() const { return prepared_.bytes(); }
 
+    [[nodiscard]] const std::vector<PreparationNote>& notes() const override {
+        return prepared_.notes;
+    }
+
     void render_tile(TileWork& work, Film& film, StopCheck& stop) const override {
         if (work.done()) return;
         if (!work.paused) {

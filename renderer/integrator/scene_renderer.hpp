@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "ir/scene/scene.hpp"
 #include "renderer/integrator/shading_scene.hpp"
@@ -25,6 +26,10 @@ class SceneRenderer final : public TileRenderer {
     SceneRenderer(ShadingScene<T> scene, const Settings& settings);
 
     void render_tile(TileWork& work, Film& film, StopCheck& stop) const override;
+
+    [[nodiscard]] const std::vector<PreparationNote>& notes() const override {
+        return scene_.geometry.notes;
+    }
 
     [[nodiscard]] const ShadingScene<T>& scene() const { return scene_; }
 

@@ -129,6 +129,7 @@ class Job final : public RenderJob {
         // Until it has ended, the preparation's figures are still being written.
         stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0}, {"render", render_seconds_}};
         stats.scene_bytes = prepared_ ? bytes_ : 0;
+        if (prepared_) stats.notes = renderer_->notes();
         return stats;
     }
 

@@ -113,8 +113,21 @@ class Preparation {
             note(Kind::kOutOfRange, id, face);
             return false;
         }
-        if (flat(v)) note(Kind::kDegenerate, id, face);
-        return !flat(v);
+        const bool none = flat(v);
+        if (none) note(without_extent(flat_as_written(id, face)), id, face);
+        return !none;
+    }
+
+    [[nodiscard]] bool flat_as_written(ir::ObjectId id, std::uint32_t face) const {
+        const ir::Object& object = scene_.objects[id.value];
+        if (object.kind == ir::ShapeKind::kMesh) {
+            return flat(face_vertices<double>(scene_.meshes[object.shape], face, {}));
+        }
+        return flat(scene_.triangles[object.shape].keys[0]);
+    }
+
+    static Kind without_extent(bool as_written) {
+        return as_written ? Kind::kDegenerate : Kind::kFlattened;
     }
 
     void add_item(PrimitiveKind kind, std::size_t index, const BoxBounds<T>& bounds) {
@@ -170,8 +183,13 @@ class Preparation {
             note(Kind::kOutOfRange, id, 0);
             return false;
         }
-        if (!(s.radius > 0)) note(Kind::kDegenerate, id, 0);
-        return s.radius > 0;
+        if (s.radius > 0) return true;
+        bool as_written = true;
+        for (const auto& key : scene_.spheres[scene_.objects[id.value].shape].keys) {
+            as_written = as_written && !(key.radius > 0);
+        }
+        note(without_extent(as_written), id, 0);
+        return false;
     }
 
     /// A box may be a plate, but not a rod or a point.
@@ -180,14 +198,18 @@ class Preparation {
             note(Kind::kOutOfRange, id, 0);
             return false;
         }
+        if (has_faces(b)) return true;
+        const ir::Box& written = scene_.boxes[scene_.objects[id.value].shape];
+        note(without_extent(!has_faces(BoxBounds<double>{written.min, written.max})), id, 0);
+        return false;
+    }
+
+    template <typename U>
+    static bool has_faces(const BoxBounds<U>& b) {
         int extents = 0;
         for (std::size_t i = 0; i < 3; ++i) extents += b.lo[i] < b.hi[i] ? 1 : 0;
         const bool ordered = b.lo.x <= b.hi.x && b.lo.y <= b.hi.y && b.lo.z <= b.hi.z;
-        if (!ordered || extents < 2) {
-            note(Kind::kDegenerate, id, 0);
-            return false;
-        }
-        return true;
+        return ordered && extents >= 2;
     }
 
     void add_triangle(const std::array<Vec3<T>, 3>& v, ir::ObjectId id, std::uint32_t face) {
@@ -201,6 +223,7 @@ class Preparation {
         const auto first = static_cast<std::uint32_t>(g.triangle_keys.size());
         BoxBounds<T> bounds;
         bool always_flat = true;
+        bool as_written = true;
         for (const auto& key : keys) {
             const auto v = narrow_vertices<T>(key, out_.origin);
             if (!in_range(v[0]) || !in_range(v[1]) || !in_range(v[2])) {
@@ -209,10 +232,11 @@ class Preparation {
                 return;
             }
             always_flat = always_flat && flat(v);
+            as_written = as_written && flat(key);
             bounds.add(bounds_of(v));
             g.triangle_keys.push_back(v);
         }
-        if (always_flat) note(Kind::kDegenerate, id, 0);
+        if (always_flat) note(without_extent(as_written), id, 0);
         pad_for_motion(bounds);
         add_item(PrimitiveKind::kMovingTriangle, g.moving_triangles.size(), bounds);
         g.moving_triangles.push_back({first, static_cast<std::uint32_t>(keys.size()), id});

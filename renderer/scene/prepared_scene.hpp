@@ -14,23 +14,10 @@
 #include "ir/math/vec.hpp"
 #include "ir/scene/scene.hpp"
 #include "renderer/scene/geometry.hpp"
+#include "renderer/scene/preparation_note.hpp"
 #include "renderer/settings.hpp"
 
 namespace cobble::renderer {
-
-/// Something that narrowing or the shape itself cost; never an error: the rest renders.
-struct PreparationNote {
-    enum class Kind : std::uint8_t {
-        kDegenerate,      ///< no area or volume (from the start, or once narrowed): never hit
-        kOutOfRange,      ///< beyond what T can hold: never hit
-        kIllConditioned,  ///< an instance whose matrix loses most digits of T
-        kSingular,        ///< an instance without an inverse: never hit
-    };
-    Kind kind = Kind::kDegenerate;
-    ir::ObjectId object;
-    std::uint32_t face = 0;   ///< the first one, of a mesh
-    std::uint32_t count = 1;  ///< how many faces of the object
-};
 
 struct PrepareOptions {
     Acceleration acceleration = Acceleration::kBvh;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frontend/source/span.hpp"
+#include "renderer/scene/preparation_note.hpp"
 
 namespace cobble::renderer {
 
@@ -40,6 +41,7 @@ struct Stats {
     Counters counters;
     std::uint64_t bad_sample_count = 0;
     std::vector<BadSample> bad_samples;  ///< the first 16 in pixel order
+    std::vector<PreparationNote> notes;  ///< what preparing the geometry cost, by object
     std::vector<PhaseTime> phases;
     std::uint64_t scene_bytes = 0;  ///< geometry, tree and textures as rendered
 };

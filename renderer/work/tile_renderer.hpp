@@ -68,6 +68,9 @@ class TileRenderer {
     /// finished pixel to `film` once. Called by several workers at once, on different tiles; must
     /// not throw. Rounding is to nearest and denormals are kept while it runs.
     virtual void render_tile(TileWork& work, Film& film, StopCheck& stop) const = 0;
+
+    /// What preparing the scene's geometry cost it.
+    [[nodiscard]] virtual const std::vector<PreparationNote>& notes() const = 0;
 };
 
 }  // namespace cobble::renderer

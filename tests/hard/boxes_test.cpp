@@ -181,7 +181,7 @@ TEST_CASE("row 8: what has no area or no number is never hit, is in no box, and 
     const Kind expected[] = {Kind::kDegenerate, Kind::kDegenerate, Kind::kDegenerate,
                              Kind::kOutOfRange, Kind::kOutOfRange, Kind::kDegenerate,
                              Kind::kDegenerate, Kind::kOutOfRange, Kind::kDegenerate,
-                             Kind::kDegenerate};
+                             Kind::kFlattened};
     REQUIRE(scene.notes.size() == 10);
     for (std::uint32_t i = 0; i < 10; ++i) {
         CHECK(scene.notes[i].object.value == i);

@@ -35,6 +35,7 @@ void add_explain(CLI::App& app, Context& context);
 void add_diff(CLI::App& app, Context& context);
 void add_merge(CLI::App& app, Context& context);
 void add_pick(CLI::App& app, Context& context);
+void add_stability(CLI::App& app, Context& context);
 void add_ir(CLI::App& app, Context& context);
 void add_dump(CLI::App& app, Context& context);
 

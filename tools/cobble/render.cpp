@@ -16,6 +16,7 @@
 #include "tools/cobble/progress.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/pictures.hpp"
+#include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
 #include "tools/driver/write_file.hpp"
 
@@ -202,6 +203,15 @@ class Render {
         }
         if (stats.bad_sample_count > 0) {
             driver::complain(driver::bad_sample_text(stats, view_.loaded.session->sources));
+        }
+        if (!options_.quiet) {
+            driver::Positions positions(view_.loaded.session->sources);
+            const ir::Scene& scene = view_.loaded.lowered.scene;
+            const auto notes = driver::without_checked(stats.notes, scene);
+            const bool wide = view_.compat != ir::Compat::kNone ||
+                              view_.settings.precision == renderer::Precision::kDouble;
+            driver::write_error(
+                driver::notes_to_text(notes, scene, positions, wide ? "double" : "float"));
         }
         if (options_.stats.empty()) return status;
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

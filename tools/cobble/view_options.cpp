@@ -104,13 +104,17 @@ std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
 
 }  // namespace
 
-void add_view_options(CLI::App& sub, ViewOptions& options) {
-    sub.add_option("SCENE", options.scene, "The scene file, or - for standard input")->required();
+void add_size_option(CLI::App& sub, ViewOptions& options) {
     sub.add_option("--size", options.size, "Size of the picture in pixels")
         ->type_name("WxH")
         ->check(check_size)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
         ->capture_default_str();
+}
+
+void add_view_options(CLI::App& sub, ViewOptions& options) {
+    sub.add_option("SCENE", options.scene, "The scene file, or - for standard input")->required();
+    add_size_option(sub, options);
     sub.add_option("--bounces", options.bounces, "How often a ray may be reflected or refracted")
         ->type_name("N")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)

@@ -44,6 +44,9 @@ struct ViewOptions {
 
 void add_view_options(CLI::App& sub, ViewOptions& options);
 
+/// --size alone, for commands that look at a scene and make no picture.
+void add_size_option(CLI::App& sub, ViewOptions& options);
+
 /// One scene as the options ask for it, ready to be rendered.
 struct View {
     driver::LoadedScene loaded;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/driver/report/diagnostic_json.hpp"
-#include "tools/driver/text.hpp"
+#include "tools/driver/report/object_words.hpp"
 
 namespace cobble::driver {
 namespace {
@@ -27,22 +27,6 @@ std::string_view name_of(PickNode::Kind kind) {
     return "?";
 }
 
-std::string_view name_of(ir::ShapeKind kind) {
-    switch (kind) {
-        case ir::ShapeKind::kSphere:
-            return "Sphere";
-        case ir::ShapeKind::kPlane:
-            return "Plane";
-        case ir::ShapeKind::kTriangle:
-            return "Triangle";
-        case ir::ShapeKind::kBox:
-            return "Box";
-        case ir::ShapeKind::kMesh:
-            return "TriangleMesh";
-    }
-    return "?";
-}
-
 std::string_view name_of(ir::Light::Kind kind) {
     return kind == ir::Light::Kind::kPoint ? "PointLight" : "DirectionalLight";
 }
@@ -52,14 +36,6 @@ std::string numbers(const math::Vec3d& v) {
 }
 
 Json vector_json(const math::Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
-
-// Where the face of a mesh stands in its OBJ file.
-source::Span face_span(const ir::Scene& scene, const ir::Object& object, std::uint32_t face) {
-    if (object.kind != ir::ShapeKind::kMesh) return {};
-    const ir::Mesh& mesh = scene.meshes[object.shape];
-    if (face >= mesh.face_offsets.size() || !mesh.source.valid()) return {};
-    return {mesh.source, mesh.face_offsets[face], mesh.face_offsets[face]};
-}
 
 class Writer {
   public:
@@ -106,18 +82,6 @@ class Writer {
     }
 
   private:
-    std::string place(source::Span span) {
-        if (!span.valid()) return "";
-        const source::LineColumn at = positions_.start(span);
-        return fmt::format("{}:{}:{}", printable(report_.sources.path(span.source)), at.line,
-                           at.column);
-    }
-
-    std::string named(std::string_view kind, const std::string& label, source::Span span) {
-        return fmt::format("{}{}{}  {}", kind, label.empty() ? "" : " ", printable(label),
-                           place(span));
-    }
-
     std::string node_text(const PickNode& node, const std::string& indent) {
         std::string text;
         const auto line = [&text, &indent](std::string_view name, const std::string& value) {
@@ -132,37 +96,27 @@ class Writer {
             return text;
         }
         const ir::Object& object = report_.scene.objects[node.object.value];
-        line("  object", named(name_of(object.kind), object.label, object.span));
+        line("  object", named(block_name(object.kind), object.label, object.span, positions_));
         if (const source::Span face = face_span(report_.scene, object, node.face); face.valid()) {
-            line("  face", fmt::format("{}  {}", node.face, place(face)));
+            line("  face", fmt::format("{}  {}", node.face, place_of(face, positions_)));
         }
         if (node.material.valid()) {
             const ir::Material& material = report_.scene.materials[node.material.value];
-            line("  material",
-                 named(std::to_string(node.material.value), material.label, material.span));
+            line("  material", named(std::to_string(node.material.value), material.label,
+                                     material.span, positions_));
         }
         line("  position", numbers(node.position));
         line("  normal", numbers(node.normal));
         line("  depth", fmt::format("{:.9g}", node.t));
         for (const PickNode::LightSeen& seen : node.lights) {
             const ir::Light& light = report_.scene.lights[seen.light.value];
-            line(
-                "  light",
-                fmt::format("{}  {}, gives {}", named(name_of(light.kind), light.label, light.span),
-                            seen.visible ? "visible" : "hidden", numbers(seen.contribution)));
+            line("  light",
+                 fmt::format("{}  {}, gives {}",
+                             named(name_of(light.kind), light.label, light.span, positions_),
+                             seen.visible ? "visible" : "hidden", numbers(seen.contribution)));
         }
         line("  color", numbers(node.color));
         return text;
-    }
-
-    // "path", "line", "column" and "range" of a place.
-    Json place_json(source::Span span) {
-        if (!span.valid()) return nullptr;
-        const source::LineColumn at = positions_.start(span);
-        return {{"path", report_.sources.path(span.source)},
-                {"line", at.line},
-                {"column", at.column},
-                {"range", range_to_json(span, positions_)}};
     }
 
     Json node_json(const PickNode& node) {
@@ -173,17 +127,15 @@ class Writer {
                      {"color", vector_json(node.color)}};
         if (!node.hit) return json;
         const ir::Object& object = report_.scene.objects[node.object.value];
-        json["object"] = {{"index", node.object.value},
-                          {"kind", name_of(object.kind)},
-                          {"label", object.label},
-                          {"at", place_json(object.span)}};
+        json["object"] = object_json(report_.scene, node.object, positions_);
         const source::Span face = face_span(report_.scene, object, node.face);
-        if (face.valid()) json["face"] = {{"index", node.face}, {"at", place_json(face)}};
+        if (face.valid())
+            json["face"] = {{"index", node.face}, {"at", place_json(face, positions_)}};
         if (node.material.valid()) {
             const ir::Material& material = report_.scene.materials[node.material.value];
             json["material"] = {{"index", node.material.value},
                                 {"label", material.label},
-                                {"at", place_json(material.span)}};
+                                {"at", place_json(material.span, positions_)}};
         }
         json["position"] = vector_json(node.position);
         json["normal"] = vector_json(node.normal);
@@ -195,7 +147,7 @@ class Writer {
             lights.push_back({{"index", seen.light.value},
                               {"kind", name_of(light.kind)},
                               {"label", light.label},
-                              {"at", place_json(light.span)},
+                              {"at", place_json(light.span, positions_)},
                               {"visible", seen.visible},
                               {"contribution", vector_json(seen.contribution)}});
         }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tools/driver/report/diagnostic_json.hpp"
+#include "tools/driver/report/object_words.hpp"
 
 namespace cobble::driver {
 namespace {
@@ -15,11 +16,6 @@ std::uint64_t peak_bytes() {
     struct rusage usage {};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
-}
-
-std::string place_of(source::Span span, Positions& positions) {
-    const source::LineColumn at = positions.start(span);
-    return fmt::format("{}:{}:{}", positions.path(span), at.line, at.column);
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What `cobble stability` measures: a scene that asks too much of float, and scenes that do not.
+#include "renderer/stability/stability.hpp"
+
+#include <doctest/doctest.h>
+
+#include "renderer/stability/aim.hpp"
+#include "tests/hard/scenes.hpp"
+
+namespace cobble::test {
+
+namespace {
+
+using renderer::AimPoints;
+using renderer::measure_stability;
+using renderer::ObjectStability;
+using renderer::Stability;
+using renderer::StabilityOptions;
+
+/// One of everything, beside each other in front of the camera, sharing edges and faces.
+SceneMaker gallery(double size, Vec3d at) {
+    SceneMaker make;
+    make.scene.camera.center = at + Vec3d{0.3, 1.1, 9} * size;
+    make.sphere(at, size);
+    make.box(at + Vec3d{1, -1, -1} * size, at + Vec3d{2, 1, 1} * size);
+    make.box(at + Vec3d{2, -1, -1} * size, at + Vec3d{3, 0.3, 1} * size);  // a face in common
+    make.triangle(at + Vec3d{-3, -1, 0} * size, at + Vec3d{-2, -1, 0} * size,
+                  at + Vec3d{-2, 1, 0.2} * size);
+    make.triangle(at + Vec3d{-3, -1, 0} * size, at + Vec3d{-2, 1, 0.2} * size,
+                  at + Vec3d{-3, 1, 0.4} * size);  // an edge in common
+    make.mesh(transformed(random_star(2, 7), size, at + Vec3d{0, 2.5, 0} * size));
+    make.plane({0, 1, 0}, at.y - size);  // where the boxes end
+    make.mesh(icosphere(2));
+    make.place_last({translation(at + Vec3d{4, 0, -2} * size) * rotation({0.6, 0, 0.8}, 1) *
+                     scaling(Vec3d{1, 0.5, 2} * size)});
+    make.sphere({0, 0, 0}, 1);
+    make.place_last({translation(at + Vec3d{-4, 0.5, -2} * size) * rotation({0, 0.6, 0.8}, 2) *
+                     scaling(Vec3d{0.5, 1, 0.7} * size)});
+    return make;
+}
+
+StabilityOptions rays(std::uint64_t count) {
+    StabilityOptions options;
+    options.rays = count;
+    return options;
+}
+
+const ObjectStability& entry_of(const Stability& stability, ir::ObjectId id) {
+    for (const auto& entry : stability.objects) {
+        if (entry.object == id) return entry;
+    }
+    FAIL("no such object");
+    return stability.objects.front();
+}
+
+}  // namespace
+
+TEST_CASE("stability: a scene within float's means has no fault and plenty of precision") {
+    for (const double size : {1e-3, 1.0, 1e4}) {
+        CAPTURE(size);
+        const SceneMaker make = gallery(size, Vec3d{0.1, -0.2, 0.3} * size);
+        const Stability stability = measure_stability(make.scene, rays(100000));
+        CHECK(stability.clean());
+        CHECK(stability.notes.empty());
+        CHECK(stability.rays == 9 * 1001);
+        REQUIRE(stability.objects.size() == 9);
+        for (const ObjectStability& entry : stability.objects) {
+            CAPTURE(entry.object.value);
+            CHECK(entry.rays == 1001);
+            CHECK(entry.hits > 100);
+            CHECK(entry.faults() == 0);
+            CHECK(!entry.example);
+            CHECK(entry.least_ulps > 1000);
+        }
+    }
+}
+
+TEST_CASE("stability: far from zero a scene keeps its precision, for it is brought near") {
+    const SceneMaker make = gallery(1, {3e7, -2e7, 1e7});
+    const Stability stability = measure_stability(make.scene, rays(100000));
+    CHECK(stability.clean());
+    CHECK(stability.objects.front().least_ulps > 1000);
+}
+
+TEST_CASE("stability: tiny things 1e7 away from another leave no precision, and sort first") {
+    SceneMaker make;
+    // The grid that coordinates are local to is as coarse as the scene is wide: a step of float is
+    // a half or a whole there, and a pixel at a distance of 50 is 0.05 wide.
+    const Vec3d there{1e7, 0, 0};
+    const auto far = make.sphere({0, 0, 0}, 1);
+    const auto ball = make.sphere(there, 10);
+    const auto speck = make.triangle(there + Vec3d{20, 0, 0}, there + Vec3d{20.01, 0, 0},
+                                     there + Vec3d{20, 0.01, 0});
+    make.scene.camera.center = there + Vec3d{0, 0, 60};
+    const Stability stability = measure_stability(make.scene, rays(10000));
+    CHECK(entry_of(stability, ball).hits > 50);
+    CHECK(entry_of(stability, ball).least_ulps < 0.5);
+    CHECK(entry_of(stability, ball).least_ulps > 1e-3);
+    CHECK(entry_of(stability, speck).hits == 0);
+    CHECK(stability.objects.front().object == ball);
+    REQUIRE(stability.notes.size() == 1);
+    CHECK(stability.notes[0].object == speck);
+    CHECK(stability.notes[0].kind == renderer::PreparationNote::Kind::kFlattened);
+    CHECK(far.valid());
+}
+
+TEST_CASE("stability: what float cannot hold is noted") {
+    SceneMaker make;
+    make.scene.camera.center = {0, 0, 10};
+    // In double a wall; in float out of range.
+    const auto wall = make.triangle({-1e37, -1e37, 0}, {1e37, -1e37, 0}, {0, 1e37, 0});
+    make.sphere({0, 0, -5}, 1);
+    const Stability stability = measure_stability(make.scene, rays(1000));
+    CHECK(entry_of(stability, wall).hits == 0);
+    REQUIRE(stability.notes.size() == 1);
+    CHECK(stability.notes[0].kind == renderer::PreparationNote::Kind::kOutOfRange);
+}
+
+TEST_CASE("stability: the same twice, and rays are shared out to the last") {
+    const SceneMaker make = gallery(1, {});
+    const Stability a = measure_stability(make.scene, rays(7));
+    const Stability b = measure_stability(make.scene, rays(7));
+    CHECK(a.rays == 7);
+    for (std::size_t i = 0; i < a.objects.size(); ++i) {
+        CHECK(a.objects[i].object == b.objects[i].object);
+        CHECK(a.objects[i].hits == b.objects[i].hits);
+        CHECK(a.objects[i].rays <= 1);
+    }
+}
+
+TEST_CASE("stability: rays are aimed at vertices, edges and outlines") {
+    const Vec3d eye{0, 0, 9};
+    SceneMaker make;
+    const auto ball = make.sphere({1, 0, 0}, 2);
+    const auto box = make.box({-1, -2, -3}, {1, 2, 3});
+    const AimPoints on_ball(make.scene, ball, eye);
+    const AimPoints on_box(make.scene, box, eye);
+    double nearest_to_outline = 1;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const Vec3d n = (on_ball.point(i) - Vec3d{1, 0, 0}) / 2;
+        CHECK(length(n) == doctest::Approx(1));
+        if (i % 3 == 0) {
+            const Vec3d to_eye = normalize(eye - on_ball.point(i));
+            CHECK(dot(n, to_eye) > 0);
+            nearest_to_outline = std::min(nearest_to_outline, dot(n, to_eye));
+        }
+        const Vec3d p = on_box.point(i);
+        const int ends = (std::fabs(p.x) == 1 ? 1 : 0) + (std::fabs(p.y) == 2 ? 1 : 0) +
+                         (std::fabs(p.z) == 3 ? 1 : 0);
+        CHECK(ends == 3 - static_cast<int>(i % 3));
+    }
+    CHECK(nearest_to_outline < 1e-5);
+}
+
+}  // namespace cobble::test
