@@ -7,6 +7,7 @@
 
 #include "renderer/metrics/compare.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
 
 namespace cobble {
@@ -20,7 +21,18 @@ struct Options {
     bool light = false;
 };
 
+// Before anything is compared: whether the map has a place to go.
+std::string check_map(const Options& options) {
+    if (options.map.empty()) return {};
+    std::string problem = driver::check_distinct({options.map}, {options.a, options.b});
+    return problem.empty() ? driver::check_picture_path(options.map, 1, 1, 3) : problem;
+}
+
 int run(const Options& options, Context& context) {
+    if (const std::string problem = check_map(options); !problem.empty()) {
+        driver::complain(problem);
+        return kFailure;
+    }
     const driver::ReadPicture a = driver::read_picture(options.a);
     const driver::ReadPicture b = driver::read_picture(options.b);
     for (const auto* picture : {&a, &b}) {

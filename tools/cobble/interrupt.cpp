@@ -36,8 +36,8 @@ void exit_on_interrupt() {
     action.sa_handler = handle_interrupt;
     action.sa_flags = SA_RESTART;
     sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM}) {
-        // A shell script's background job has SIGINT ignored, and that is to stay so.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // A shell script's background job has SIGINT ignored, nohup SIGHUP, and that is to stay so.
         struct sigaction old {};
         if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
         sigaction(signal, &action, nullptr);

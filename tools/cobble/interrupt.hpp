@@ -9,10 +9,10 @@ class RenderJob;
 
 namespace cobble {
 
-/// From now on SIGINT and SIGTERM end the process with status 130.
+/// From now on SIGINT, SIGTERM and SIGHUP end the process with status 130.
 void exit_on_interrupt();
 
-/// While one lives, SIGINT and SIGTERM only set a flag, and cancel the job if there is one. A
+/// While one lives, these signals only set a flag, and cancel the job if there is one. A
 /// second signal ends the process at once.
 class InterruptGuard {
   public:

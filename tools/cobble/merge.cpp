@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/cobble/command.hpp"
+#include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
 
 namespace cobble {
@@ -16,6 +17,12 @@ struct Options {
 };
 
 int run(const Options& options) {
+    std::string problem = driver::check_distinct({options.output}, options.shards);
+    if (problem.empty()) problem = driver::check_picture_path(options.output, 1, 1, 3);
+    if (!problem.empty()) {
+        driver::complain(problem);
+        return kFailure;
+    }
     driver::Merged merged = driver::merge_pictures(options.shards);
     // What was encoded already is written as it is.
     if (merged.problem.empty()) {

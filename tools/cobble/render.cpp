@@ -15,6 +15,7 @@
 #include "tools/cobble/interrupt.hpp"
 #include "tools/cobble/progress.hpp"
 #include "tools/cobble/view_options.hpp"
+#include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
@@ -64,6 +65,12 @@ class Render {
         }
         view_ = make_view(options_.view, options_.quiet);
         if (view_.status != 0) return view_.status;
+        // Only now is it known which meshes and pictures the scene is made of.
+        if (std::string problem = driver::check_distinct(output_paths(), view_.loaded.files);
+            !problem.empty()) {
+            driver::complain(problem);
+            return kFailure;
+        }
         if (std::string problem = complete_settings(); !problem.empty()) {
             driver::complain(problem);
             return kFailure;
@@ -72,16 +79,19 @@ class Render {
     }
 
   private:
-    // Before anything is read: whether what comes out has a place to go.
-    std::string check_outputs() {
-        if (targets_.empty()) return "there is no picture to write: say -o FILE";
+    [[nodiscard]] std::vector<std::string> output_paths() const {
         std::vector<std::string> paths;
         for (const Target& target : targets_) paths.push_back(target.path);
         if (!options_.stats.empty()) paths.push_back(options_.stats);
-        for (std::size_t i = 0; i < paths.size(); ++i) {
-            for (std::size_t k = 0; k < i; ++k) {
-                if (paths[i] == paths[k]) return paths[i] + " is asked for twice";
-            }
+        return paths;
+    }
+
+    // Before anything is read: whether what comes out has a place to go.
+    std::string check_outputs() {
+        if (targets_.empty()) return "there is no picture to write: say -o FILE";
+        const std::vector<std::string> paths = output_paths();
+        if (std::string problem = driver::check_distinct(paths, {}); !problem.empty()) {
+            return problem;
         }
         std::vector<std::uint32_t> size;
         parse_numbers(options_.view.size, 'x', 2, size);

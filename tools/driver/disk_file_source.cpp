@@ -32,6 +32,7 @@ source::ReadResult failure(int error) {
 }  // namespace
 
 source::ReadResult DiskFileSource::read(std::string_view path, std::uint64_t max_bytes) {
+    read_paths_.emplace_back(path);
     // Not blocking, so that opening a named pipe without a writer does not hang.
     const Descriptor file(open(std::string(path).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.value < 0) return failure(errno);

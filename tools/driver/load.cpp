@@ -32,6 +32,8 @@ LoadedScene check_scene(const std::string& path, const std::string& stdin_path) 
     result.read_seconds = watch.lap();
     result.problem = std::move(file.problem);
     if (!result.problem.empty()) return result;
+    result.files.push_back(standard_input ? "/dev/stdin" : path);
+    if (standard_input && !stdin_path.empty()) result.files.push_back(stdin_path);
     const std::string input_path = stdin_path.empty() ? "<stdin>" : stdin_path;
     result.session =
         std::make_unique<Session>(standard_input ? input_path : path, std::move(file.text));
@@ -51,6 +53,7 @@ LoadedScene load_scene(const std::string& path, const std::string& stdin_path,
     for (const source::Diagnostic& diagnostic : result.lowered.diagnostics) {
         result.diagnostics.push_back(diagnostic);
     }
+    result.files.insert(result.files.end(), disk.read_paths().begin(), disk.read_paths().end());
     result.lower_seconds = watch.lap();
     sort_by_place(result.diagnostics, result.session->scene);
     return result;

@@ -17,6 +17,7 @@ struct LoadedScene {
     ir::Lowered lowered;
     std::vector<source::Diagnostic> diagnostics;  ///< of all phases, sorted by place
     std::string problem;                          ///< why there is no session
+    std::vector<std::string> files;  ///< all that was read: the scene, its meshes and pictures
     double read_seconds = 0, check_seconds = 0, lower_seconds = 0;
 };
 

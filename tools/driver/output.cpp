@@ -55,6 +55,7 @@ void prepare_streams() {
         if (open("/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY) < 0) std::_Exit(2);
     }
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void write_error(std::string_view text) { write_all(STDERR_FILENO, text); }

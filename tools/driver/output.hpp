@@ -34,7 +34,8 @@ class Output {
 int write_all(int descriptor, std::string_view bytes);
 
 /// Opens /dev/null on those of the three standard descriptors that are closed, so that no file
-/// opened later is taken for one of them, and ignores SIGPIPE.
+/// opened later is taken for one of them, and ignores SIGPIPE and SIGXFSZ: a reader that has gone
+/// and a limit on file sizes are then errors of writing.
 void prepare_streams();
 
 /// Writes "cobble: MESSAGE" and a line end to standard error, control characters made visible.

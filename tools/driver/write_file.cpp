@@ -21,28 +21,17 @@ namespace {
 // As many symbolic links in a row as Linux itself follows.
 constexpr int kMaxLinks = 40;
 
+// Beside the system's own: opening a named pipe would wait for a reader, for ever if none comes.
+constexpr int kNotAFile = -1;
+
 std::string failure(const std::string& path, int error) {
-    return fmt::format("cannot write {}: {}", path, std::strerror(error));
+    return fmt::format("cannot write {}: {}", path,
+                       error == kNotAFile ? "it is not a regular file" : std::strerror(error));
 }
 
 std::string folder_of(const std::string& path) {
     const auto slash = path.rfind('/');
     return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
-}
-
-// Where a chain of symbolic links leads, whether or not something is there.
-std::string follow_links(std::string path) {
-    for (int i = 0; i < kMaxLinks; ++i) {
-        struct stat status {};
-        if (lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) break;
-        std::vector<char> target(4096);
-        const ssize_t length = readlink(path.c_str(), target.data(), target.size());
-        if (length <= 0) break;
-        const std::string_view next(target.data(), static_cast<std::size_t>(length));
-        path = next.starts_with('/') ? std::string() : folder_of(path);
-        path += next;
-    }
-    return path;
 }
 
 // /dev/stdout and its like name an open descriptor: what is behind it is to be written to, not to
@@ -118,9 +107,11 @@ void sync_folder(const std::string& folder) {
     close(descriptor);
 }
 
-// What can be said against writing to `target` before trying: it is a folder, or read-only.
+// What can be said against writing to `target` before trying: it is a folder, a pipe, or
+// read-only.
 int objection(const std::string& target, const struct stat& status) {
     if (S_ISDIR(status.st_mode)) return EISDIR;
+    if (!S_ISREG(status.st_mode) && !S_ISCHR(status.st_mode)) return kNotAFile;
     return access(target.c_str(), W_OK) == 0 ? 0 : errno;
 }
 
@@ -148,20 +139,36 @@ int replace(const std::string& target, std::string_view bytes) {
 
 }  // namespace
 
+std::string follow_links(std::string path) {
+    // What a descriptor stands for need not have a name.
+    for (int i = 0; i < kMaxLinks && descriptor_of(path) < 0; ++i) {
+        struct stat status {};
+        if (lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) break;
+        std::vector<char> target(4096);
+        const ssize_t length = readlink(path.c_str(), target.data(), target.size());
+        if (length <= 0) break;
+        const std::string_view next(target.data(), static_cast<std::size_t>(length));
+        path = next.starts_with('/') ? std::string() : folder_of(path);
+        path += next;
+    }
+    return path;
+}
+
 std::string write_file(const std::string& path, std::string_view bytes) {
-    if (const int descriptor = descriptor_of(path); descriptor >= 0) {
+    const std::string target = follow_links(path);
+    if (const int descriptor = descriptor_of(target); descriptor >= 0) {
         const int failed = write_all(descriptor, bytes);
         return failed == 0 || failed == EPIPE ? std::string() : failure(path, failed);
     }
-    const int error = replace(follow_links(path), bytes);
+    const int error = replace(target, bytes);
     return error == 0 ? std::string() : failure(path, error);
 }
 
 std::string check_writable(const std::string& path, std::uint64_t bytes) {
-    if (const int descriptor = descriptor_of(path); descriptor >= 0) {
+    const std::string target = follow_links(path);
+    if (const int descriptor = descriptor_of(target); descriptor >= 0) {
         return fcntl(descriptor, F_GETFD) >= 0 ? std::string() : failure(path, errno);
     }
-    const std::string target = follow_links(path);
     struct stat status {};
     if (stat(target.c_str(), &status) == 0) {
         if (const int error = objection(target, status)) return failure(path, error);
@@ -173,8 +180,8 @@ std::string check_writable(const std::string& path, std::uint64_t bytes) {
     if (temporary.error() != 0) return failure(path, temporary.error());
     // One block at least: a full disk takes the name of a file but none of its bytes.
     const auto size = static_cast<off_t>(std::clamp<std::uint64_t>(bytes, 4096, 1ULL << 40U));
-    if (fallocate(temporary.descriptor(), 0, 0, size) != 0 && errno == ENOSPC) {
-        return failure(path, ENOSPC);
+    if (fallocate(temporary.descriptor(), 0, 0, size) != 0 && (errno == ENOSPC || errno == EFBIG)) {
+        return failure(path, errno);
     }
     return {};
 }
