@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -46,16 +47,21 @@ source::ReadResult DiskFileSource::read(std::string_view path, std::uint64_t max
     if (static_cast<std::uint64_t>(status.st_size) > max_bytes) {
         return {source::ReadStatus::kTooLarge, {}, "it is too large"};
     }
+    // The size is a guess: that of files which the kernel makes up (/proc) is 0, and others grow.
+    // So reading goes on to the end, with room for one byte more than is known to come.
+    constexpr std::size_t kLeastRoom = 4096;
     source::ReadResult result{source::ReadStatus::kOk, {}, {}};
-    result.bytes.resize(static_cast<std::size_t>(status.st_size));
+    result.bytes.resize(static_cast<std::size_t>(status.st_size) + 1);
     std::size_t done = 0;
-    while (done < result.bytes.size()) {
+    for (;;) {
+        if (done == result.bytes.size()) result.bytes.resize(done + std::max(done, kLeastRoom));
         const ssize_t got =
             ::read(file.value, result.bytes.data() + done, result.bytes.size() - done);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return failure(errno);
         if (got == 0) break;
         done += static_cast<std::size_t>(got);
+        if (done > max_bytes) return {source::ReadStatus::kTooLarge, {}, "it is too large"};
     }
     result.bytes.resize(done);
     return result;
