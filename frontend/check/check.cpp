@@ -11,9 +11,20 @@
 
 #include "frontend/check/checks.hpp"
 #include "frontend/check/verify_fixes.hpp"
+#include "frontend/source/utf8.hpp"
 
 namespace cobble::frontend {
 namespace {
+
+const source::DiagnosticCode kNotText{
+    "not-text",
+    source::Severity::kError,
+    "the file is no text",
+    "Scenes are UTF-8 text. A file with a zero byte near its front is a picture, a program or an "
+    "archive, and one that begins with a byte-order mark of UTF-16 is text that other programs "
+    "cannot read as it is. Nothing else is said about such a file.",
+    "(a picture that was renamed to scene.txt)",
+    "Check that this is the file you meant. Save text in UTF-16 as UTF-8."};
 
 using BlockCheck = void (*)(CheckContext&, BlockNodeId);
 
@@ -79,10 +90,23 @@ CheckedScene check_unverified(source::SourceId source, std::string_view text) {
 
     CheckedScene scene;
     scene.source = source;
+    const bool binary = source::looks_binary(text);
+    if (binary) {
+        source::Diagnostic finding;
+        finding.code = &kNotText;
+        finding.severity = kNotText.severity;
+        const bool utf16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+        finding.message = utf16 ? "the file is not text in UTF-8, but in UTF-16"
+                                : "the file is not text: it holds zero bytes";
+        scene.diagnostics.push_back(std::move(finding));
+        // Whatever could be said about such bytes would only hide this.
+        text = {};
+    }
     scene.tokens = lex(text);
     scene.cst = parse(scene.tokens);
     BoundAst bound = bind(source, scene.tokens, scene.cst);
     scene.ast = std::move(bound.ast);
+    if (binary) return scene;
     scene.diagnostics = std::move(bound.diagnostics);
 
     CheckContext context(scene);

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "frontend/source/utf8.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
 namespace cobble::source {
+namespace {
+
+constexpr std::size_t kSniffedBytes = 8192;
+
+bool begins_as_utf16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
+}  // namespace
 
 std::size_t utf8_length(std::string_view text) {
     if (text.empty()) return 0;
@@ -39,6 +49,23 @@ bool is_ascii(std::string_view text) {
     }
     for (; i < text.size(); ++i) seen |= static_cast<unsigned char>(text[i]);
     return (seen & 0x8080808080808080U) == 0;
+}
+
+bool looks_binary(std::string_view text) {
+    return begins_as_utf16(text) ||
+           text.substr(0, kSniffedBytes).find('\0') != std::string_view::npos;
+}
+
+std::string why_not_text(std::string_view bytes) {
+    if (begins_as_utf16(bytes)) return "it is UTF-16, not UTF-8";
+    const std::size_t zero = std::min(bytes.find('\0'), bytes.size());
+    std::size_t at = is_ascii(bytes.substr(0, zero)) ? zero : 0;
+    while (at < zero) {
+        const std::size_t length = utf8_length(bytes.substr(at));
+        if (length == 0) return "invalid UTF-8 at offset " + std::to_string(at);
+        at += length;
+    }
+    return zero == bytes.size() ? "" : "zero byte at offset " + std::to_string(zero);
 }
 
 }  // namespace cobble::source

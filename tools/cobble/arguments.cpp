@@ -10,6 +10,7 @@
 
 #include "frontend/names/suggest.hpp"
 #include "frontend/source/diagnostic.hpp"
+#include "tools/driver/output.hpp"
 
 namespace cobble {
 namespace {
@@ -72,6 +73,16 @@ std::string similar_code(std::string_view name) {
     for (const auto* code : source::all_codes()) names.push_back(code->code);
     const auto similar = frontend::nearest_name(name, names);
     return similar.empty() ? std::string() : "; did you mean '" + std::string(similar) + "'?";
+}
+
+bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths) {
+    if (stdin_path.empty() || std::find(paths.begin(), paths.end(), "-") != paths.end()) {
+        return true;
+    }
+    driver::complain(
+        "--stdin-filepath says where standard input is taken to be: it goes with the "
+        "path -");
+    return false;
 }
 
 bool parse_numbers(std::string_view text, char separator, std::size_t count,

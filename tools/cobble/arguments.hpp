@@ -26,6 +26,10 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
 /// "; did you mean 'X'?", or "" if no registered code is near.
 std::string similar_code(std::string_view name);
 
+/// False, after complaining, if --stdin-filepath was given (`stdin_path` is not empty) although
+/// standard input ("-") is not among `paths`.
+bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths);
+
 /// All of `text` as numbers with `separator` between them, exactly `count`; false if it is not
 /// that, or a number is out of range or not finite.
 bool parse_numbers(std::string_view text, char separator, std::size_t count,

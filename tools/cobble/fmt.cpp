@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frontend/format/format.hpp"
+#include "frontend/source/utf8.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
@@ -44,21 +45,20 @@ class Format {
             }
             format_options_ = {lines[0], lines[1]};
         }
+        if (!stdin_path_is_used(options_.stdin_path, options_.paths)) return kFailure;
         const driver::SceneFiles files = driver::find_scenes(options_.paths);
         for (const std::string& problem : files.problems) fail(problem);
         if (!lines.empty() && files.paths.size() > 1) {
             driver::complain("--range takes one file");
             return kFailure;
         }
-        // From here on files change: an interrupt waits for the one at hand.
-        const InterruptGuard guard;
         for (const std::string& path : files.paths) {
             if (context_.out.closed()) break;
+            format(path);
             if (InterruptGuard::interrupted()) {
                 driver::complain("interrupted; the files not yet reached are as they were");
                 return kInterrupted;
             }
-            format(path);
         }
         if (failed_) return kFailure;
         if (refused_) return kInternal;
@@ -72,6 +72,12 @@ class Format {
         failed_ = true;
     }
 
+    [[nodiscard]] std::string_view what_errors_mean(const frontend::FormatResult& result) const {
+        if (options_.check) return "the layout of the broken blocks is not checked";
+        if (result.left_alone) return "they leave open what belongs where, so it stays as it is";
+        return "the broken blocks are left as they are";
+    }
+
     void format(const std::string& argument) {
         const bool standard_input = argument == "-";
         const driver::ReadText file =
@@ -80,6 +86,10 @@ class Format {
         std::string path = argument;
         if (standard_input) path = options_.stdin_path.empty() ? "<stdin>" : options_.stdin_path;
 
+        // Another program's file, named by mistake, is not to be mended into nothing.
+        if (const std::string reason = source::why_not_text(file.text); !reason.empty()) {
+            return fail(fmt::format("{} is not text: {}", path, reason));
+        }
         const frontend::FormatResult result = frontend::format(file.text, format_options_);
         if (result.refused) {
             refused_ = true;
@@ -89,9 +99,8 @@ class Format {
                 path, result.refusal));
         } else if (result.has_errors) {
             broken_ = true;
-            driver::complain(fmt::format(
-                "{} has syntax errors: what is broken is left as it is (`cobble lint` says where)",
-                path));
+            driver::complain(fmt::format("{} has errors: {} (`cobble lint` says where)", path,
+                                         what_errors_mean(result)));
         }
         const bool differs = result.text != file.text;
         differs_ = differs_ || differs;
@@ -103,6 +112,8 @@ class Format {
         } else if (standard_input) {
             context_.out.write(result.text);
         } else if (differs) {
+            // An interrupt waits until the file is whole; before, there is nothing to save.
+            const InterruptGuard guard;
             const std::string problem = driver::write_file(path, result.text);
             if (!problem.empty()) fail(problem);
         }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ir/hash.hpp"
+#include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/load.hpp"
@@ -21,6 +22,7 @@ struct Options {
 };
 
 int run(const Options& options, Context& context) {
+    if (!stdin_path_is_used(options.stdin_path, {options.scene})) return kFailure;
     const driver::LoadedScene loaded = driver::load_scene(options.scene, options.stdin_path, {});
     if (loaded.session == nullptr) {
         driver::complain(loaded.problem);

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -53,6 +52,14 @@ class Lint {
                 return kFailure;
             }
         }
+        if (!stdin_path_is_used(options_.stdin_path, options_.paths)) return kFailure;
+        if (options_.diff && options_.format != "human") {
+            driver::complain(
+                "--diff prints a diff instead of findings: it does not go with "
+                "--format " +
+                options_.format);
+            return kFailure;
+        }
         const driver::SceneFiles files = driver::find_scenes(options_.paths);
         for (const std::string& problem : files.problems) fail(problem);
 
@@ -70,17 +77,13 @@ class Lint {
                 context_.out.write(text);
             }
         });
-        std::optional<InterruptGuard> guard;
-        // From here on files change: an interrupt waits for the one at hand, but not for somebody
-        // who types.
-        if (fixing_ && !options_.diff && !to_error) guard.emplace();
         for (const std::string& path : files.paths) {
             if (context_.out.closed()) break;
+            lint(path);
             if (InterruptGuard::interrupted()) {
                 driver::complain("interrupted; the files not yet reached are as they were");
                 return kInterrupted;
             }
-            lint(path);
         }
         reporter_->finish(summary_);
         if (*format == driver::ReportFormat::kHuman) {
@@ -131,6 +134,8 @@ class Lint {
         if (standard_input) {
             context_.out.write(fixed.text);
         } else if (fixed.text != text) {
+            // An interrupt waits until the file is whole; before, there is nothing to save.
+            const InterruptGuard guard;
             if (const std::string problem = driver::write_file(path, fixed.text);
                 !problem.empty()) {
                 fail(problem);

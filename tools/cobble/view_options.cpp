@@ -174,6 +174,10 @@ View make_view(const ViewOptions& options, bool quiet) {
         driver::complain(message);
         view.status = status;
     };
+    if (!stdin_path_is_used(options.stdin_path, {options.scene})) {
+        view.status = kFailure;
+        return view;
+    }
     view.compat = compat_of(options.compat);
     view.encode_srgb = options.transfer == "srgb";
     ir::LowerOptions lower;
