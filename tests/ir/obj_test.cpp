@@ -263,3 +263,12 @@ TEST_CASE("no mutation of a file crashes a reader") {
         }
     }
 }
+
+TEST_CASE("statements without any value are errors") {
+    CHECK(problems("v\n") == Strings{"asset-mesh-statement 'v': 'v' takes 3 to 7 numbers, not 0"});
+    CHECK(problems("vn # none\n").size() == 1);
+    CHECK(problems("vt").size() == 1);
+    CHECK(problems("f\r\n") ==
+          Strings{"asset-mesh-face 'f': a face takes 3 or more corners, not 0"});
+    CHECK(problems("fx\nvp\nvx 1\n").empty());
+}

@@ -80,6 +80,9 @@ class Reader {
         while (p < end_ && !is_blank(*p) && *p != '\n' && *p != '\r') ++p;
         return p;
     }
+    [[nodiscard]] bool ends_word(const char* p) const {
+        return is_blank(*p) || *p == '\\' || at_line_end(p);
+    }
     [[nodiscard]] std::size_t at(const char* p) const {
         return static_cast<std::size_t>(p - begin_);
     }
@@ -111,10 +114,10 @@ class Reader {
     const char* statement(const char* p) {
         p = skip_blanks(p);
         if (*p == 'v') {
-            if (is_blank(p[1])) return position(p);
-            if (p[1] == 't' && is_blank(p[2])) return uv(p);
-            if (p[1] == 'n' && is_blank(p[2])) return normal(p);
-        } else if (*p == 'f' && is_blank(p[1])) {
+            if (ends_word(p + 1)) return position(p);
+            if (p[1] == 't' && ends_word(p + 2)) return uv(p);
+            if (p[1] == 'n' && ends_word(p + 2)) return normal(p);
+        } else if (*p == 'f' && ends_word(p + 1)) {
             return face(p);
         }
         return finish_line(p);
