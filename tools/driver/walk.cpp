@@ -37,6 +37,7 @@ struct Entry {
 struct Listing {
     std::vector<Entry> entries;
     int error = 0;
+    int entry_error = 0;  // why the last of the entries that could not be looked at could not
 };
 
 Listing list(const std::string& folder) {
@@ -51,7 +52,11 @@ Listing list(const std::string& folder) {
         const std::string name = entry->d_name;
         if (name == "." || name == ".." || name == ".git") continue;
         struct stat status {};
-        if (lstat((folder + name).c_str(), &status) != 0) continue;
+        if (lstat((folder + name).c_str(), &status) != 0) {
+            // Gone since it was listed is no loss; too long a path would hide what lies below.
+            if (errno != ENOENT) listing.entry_error = errno;
+            continue;
+        }
         if (S_ISDIR(status.st_mode)) {
             listing.entries.push_back({name, true});
             continue;
@@ -153,6 +158,10 @@ class Walk {
             result_.problems.push_back(
                 fmt::format("cannot read the folder {}: {}", shown, std::strerror(listing.error)));
             return;
+        }
+        if (listing.entry_error != 0) {
+            result_.problems.push_back(fmt::format("cannot read what is in the folder {}: {}",
+                                                   shown, std::strerror(listing.entry_error)));
         }
         const std::size_t rules_before = rules.size();
         add_rules(rules, shown, real);
