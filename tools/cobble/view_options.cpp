@@ -148,9 +148,8 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
         ->type_name("P");
     for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
         const auto effect = static_cast<ir::Effect>(i);
-        const std::string name(ir::name_of(effect));
-        sub.add_flag("--" + name + ",!--no-" + name, options.effects[i],
-                     std::string(ir::description_of(effect)))
+        const std::string flags = fmt::format("--{0},!--no-{0}", ir::name_of(effect));
+        sub.add_flag(flags, options.effects[i], std::string(ir::description_of(effect)))
             ->group("Effects (each is on where the scene calls for it)");
     }
     add_original_options(sub, options);
