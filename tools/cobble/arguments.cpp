@@ -2,11 +2,13 @@
 #include "tools/cobble/arguments.hpp"
 
 #include <fast_float/fast_float.h>
+#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <concepts>
 
 #include "frontend/names/suggest.hpp"
 #include "frontend/source/diagnostic.hpp"
@@ -15,7 +17,8 @@
 namespace cobble {
 namespace {
 
-bool parse_one(std::string_view text, std::uint32_t& number) {
+template <std::unsigned_integral Number>
+bool parse_one(std::string_view text, Number& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size();
 }
@@ -66,6 +69,37 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
         ->check(check)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
         ->capture_default_str();
+}
+
+CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high) {
+    const auto check = [low, high](std::string& text) {
+        std::uint64_t number = 0;
+        if (!parse_one(text, number) || number < low || number > high) {
+            return fmt::format("'{}' must be a whole number from {} to {}", text, low, high);
+        }
+        // CLI11 would take a leading 0 for a number to the base 8.
+        text = std::to_string(number);
+        return std::string();
+    };
+    return option->transform(CLI::Validator(check, ""));
+}
+
+CLI::Option* require_number(CLI::Option* option, double low, double high) {
+    return option->check([low, high](const std::string& text) {
+        double number = 0;
+        if (parse_one(text, number) && number >= low && number <= high) return std::string();
+        return std::isinf(high)
+                   ? fmt::format("'{}' must be a number of {} or more", text, low)
+                   : fmt::format("'{}' must be a number from {} to {}", text, low, high);
+    });
+}
+
+CLI::Option* require_above(CLI::Option* option, double low) {
+    return option->check([low](const std::string& text) {
+        double number = 0;
+        if (parse_one(text, number) && number > low) return std::string();
+        return fmt::format("'{}' must be a number above {}", text, low);
+    });
 }
 
 std::string similar_code(std::string_view name) {

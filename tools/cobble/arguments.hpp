@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,14 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::s
 /// An option whose value is one of a few words.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& choices, const std::string& description);
+
+/// Lets an option take whole numbers from `low` to `high` only, written in decimal.
+CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high);
+
+/// Lets an option take finite numbers from `low` to `high` only, or only above `low`.
+CLI::Option* require_number(CLI::Option* option, double low,
+                            double high = std::numeric_limits<double>::infinity());
+CLI::Option* require_above(CLI::Option* option, double low);
 
 /// "; did you mean 'X'?", or "" if no registered code is near.
 std::string similar_code(std::string_view name);

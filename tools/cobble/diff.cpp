@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderer/metrics/compare.hpp"
+#include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
@@ -87,14 +88,16 @@ void add_diff(CLI::App& app, Context& context) {
     CLI::App* sub = app.add_subcommand("diff", "Compare two pictures");
     sub->add_option("A", options->a, "The picture to measure against")->required();
     sub->add_option("B", options->b, "The other picture, of the same size")->required();
-    sub->add_option("--ppd", options->ppd, "Pixels per degree of the viewer's sight, for FLIP")
+    require_number(
+        sub->add_option("--ppd", options->ppd, "Pixels per degree of the viewer's sight, for FLIP"),
+        1, 4000)
         ->type_name("P")
-        ->check(CLI::Range(1.0, 4000.0).description(""))
         ->capture_default_str();
-    sub->add_option("--tolerance", options->tolerance,
-                    "Exit with 1 if any value differs by more than T (1 is black to white)")
-        ->type_name("T")
-        ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
+    require_number(
+        sub->add_option("--tolerance", options->tolerance,
+                        "Exit with 1 if any value differs by more than T (1 is black to white)"),
+        0)
+        ->type_name("T");
     sub->add_option("-o", options->map, "Write a map of FLIP to this picture file")
         ->type_name("MAP");
     sub->add_flag("--light", options->light,

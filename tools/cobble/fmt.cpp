@@ -14,6 +14,7 @@
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
 #include "tools/driver/session.hpp"
+#include "tools/driver/text.hpp"
 #include "tools/driver/unified_diff.hpp"
 #include "tools/driver/walk.hpp"
 #include "tools/driver/write_file.hpp"
@@ -108,7 +109,7 @@ class Format {
             const driver::DiffStyle style{driver::wants_color(STDOUT_FILENO)};
             context_.out.write(driver::unified_diff(file.text, result.text, path, path, style));
         } else if (options_.check) {
-            if (differs) context_.out.write(path + "\n");
+            if (differs) context_.out.write(driver::printable(path) + "\n");
         } else if (standard_input) {
             context_.out.write(result.text);
         } else if (differs) {

@@ -193,7 +193,9 @@ void add_lint(CLI::App& app, Context& context) {
                   "Apply those too that change what the scene means; implies --fix");
     sub->add_flag("--diff", options->diff,
                   "Print what --fix would change, as a unified diff, and change nothing");
-    sub->add_option("--max-errors", options->max_errors, "Stop printing after N errors, but count")
+    require_whole(sub->add_option("--max-errors", options->max_errors,
+                                  "Stop printing after N errors, but count"),
+                  0, std::numeric_limits<std::uint64_t>::max())
         ->type_name("N");
     add_list(*sub, "--deny", options->denied, "Treat this diagnostic as an error")
         ->type_name("CODE");

@@ -67,6 +67,34 @@ std::string wrong_command(const CLI::App& app, const std::vector<std::string>& a
     return text + " (`cobble --help` lists the commands)";
 }
 
+// Of a command line that does not parse: the first option that there is not comes before whatever
+// else is wrong, as that may follow from it. "" if all are known.
+std::string unknown_option(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        // Without a group it is left out of the help too.
+        if (option->get_group().empty()) continue;
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    for (const std::string& argument : command.remaining()) {
+        if (argument.size() < 2 || !argument.starts_with('-')) continue;
+        const std::string name = argument.substr(0, argument.find('='));
+        const std::string_view similar = frontend::nearest_name(name, views);
+        return "unknown option '" + name + "'" +
+               (similar.empty() ? "" : "; did you mean '" + std::string(similar) + "'?");
+    }
+    return {};
+}
+
+// CLI11 does not name an option that is left out of the help; -blurry is the only one of them that
+// takes a value.
+std::string with_name(const std::string& message) {
+    return message.starts_with(": ") ? "-blurry" + message : message;
+}
+
 int finish(Context& context, int status) {
     context.out.flush();
     if (!context.out.error().empty()) {
@@ -103,7 +131,8 @@ int run(std::vector<std::string> arguments) {
         context.out.write(std::string(version.what()) + "\n");
         return finish(context, kDone);
     } catch (const CLI::ParseError& error) {
-        driver::complain(error.what());
+        const std::string unknown = unknown_option(app);
+        driver::complain(unknown.empty() ? with_name(error.what()) : unknown);
         const auto chosen = app.get_subcommands();
         const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
         driver::write_error("Try `cobble" + name + " --help`.\n");

@@ -19,6 +19,7 @@
 #include "tools/driver/pictures.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
+#include "tools/driver/text.hpp"
 #include "tools/driver/write_file.hpp"
 
 namespace cobble {
@@ -27,6 +28,10 @@ namespace {
 // Short enough that an interrupt, which a step does not have to wait for, is felt at once, and
 // long enough that stopping and starting the workers costs nothing beside it.
 constexpr std::chrono::milliseconds kStep{50};
+
+// The part of its samples from which an interrupted picture shows more than the old file that it
+// would replace.
+constexpr double kWorthKeeping = 0.01;
 
 struct Options {
     ViewOptions view;
@@ -173,6 +178,7 @@ class Render {
         }
         bar.clear();
         const renderer::Picture picture = job->picture();
+        if (!picture.complete && progress.fraction < kWorthKeeping) return leave_as_it_was();
         const int status = write(picture, job->stats(), progress);
         if (status != kDone) return status;
         if (!picture.complete) {
@@ -181,12 +187,21 @@ class Render {
                             std::floor(progress.fraction * 100), targets_.front().path));
             return kInterrupted;
         }
-        if (!options_.quiet) say_what_was_done(progress);
+        if (!options_.quiet) say_what_was_done(progress, picture.*targets_.front().plane);
         // With --keep-going there is a picture, and still something to mend.
         return driver::has_errors(view_.loaded.diagnostics) ? kFindings : kDone;
     }
 
-    void say_what_was_done(const renderer::Progress& progress) const {
+    [[nodiscard]] int leave_as_it_was() const {
+        const std::string& path = targets_.front().path;
+        const bool exists = access(path.c_str(), F_OK) == 0;
+        driver::complain("interrupted at 0 %: nothing was written" +
+                         (exists ? ", and " + path + " is as it was" : ""));
+        return kInterrupted;
+    }
+
+    void say_what_was_done(const renderer::Progress& progress,
+                           const renderer::Plane32& plane) const {
         const double rate = static_cast<double>(progress.rays) / std::max(progress.seconds, 1e-9);
         // A published program takes as many samples as its flags say.
         const std::uint32_t samples = view_.settings.samples;
@@ -195,8 +210,8 @@ class Render {
                 ? "as " + options_.view.compat
                 : fmt::format("{} sample{} a pixel", samples, samples == 1 ? "" : "s");
         driver::write_error(fmt::format("{}: {}x{}, {}, {}rays in {:.2f} s ({}rays/s)\n",
-                                        targets_.front().path, view_.settings.width,
-                                        view_.settings.height, sampling,
+                                        driver::printable(targets_.front().path), plane.width,
+                                        plane.height, sampling,
                                         short_number(static_cast<double>(progress.rays)),
                                         progress.seconds, short_number(rate)));
     }
@@ -312,9 +327,9 @@ void add_render(CLI::App& app, Context& context) {
         ->check(check_crop);
     add_choice(*sub, "--filter", options->filter, {"box", "tent", "gaussian"},
                "Pixel filter: box, tent or gaussian");
-    sub->add_option("--threads", options->threads, "Workers; 0 is one a processor")
+    require_whole(sub->add_option("--threads", options->threads, "Workers; 0 is one a processor"),
+                  0, 1024)
         ->type_name("N")
-        ->check(CLI::Range(0U, 1024U).description(""))
         ->capture_default_str();
     sub->add_flag("--reference", options->reference,
                   "Use the reference renderer, which is the only one in this release");

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -55,7 +56,7 @@ void add_original_options(CLI::App& sub, ViewOptions& options) {
     sub.add_flag("--original-filter", options.original_filter)->group(hidden);
     sub.add_flag("--original-casting", options.original_casting)->group(hidden);
     sub.add_flag("--original-pixelated", options.original_pixelated)->group(hidden);
-    sub.add_option("--original-blurry", options.original_blurry)->group(hidden);
+    require_number(sub.add_option("--original-blurry", options.original_blurry), 0)->group(hidden);
 }
 
 ir::Effects choose_effects(const ir::Scene& scene, const ViewOptions& options, ir::Compat compat) {
@@ -115,16 +116,17 @@ void add_size_option(CLI::App& sub, ViewOptions& options) {
 void add_view_options(CLI::App& sub, ViewOptions& options) {
     sub.add_option("SCENE", options.scene, "The scene file, or - for standard input")->required();
     add_size_option(sub, options);
-    sub.add_option("--bounces", options.bounces, "How often a ray may be reflected or refracted")
+    require_whole(sub.add_option("--bounces", options.bounces,
+                                 "How often a ray may be reflected or refracted"),
+                  0, kMaxBounces)
         ->type_name("N")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->check(CLI::Range(0U, kMaxBounces).description(""))
         ->capture_default_str();
-    sub.add_option("--samples", options.samples, "Samples a pixel")
+    require_whole(sub.add_option("--samples", options.samples, "Samples a pixel"), 1, kMaxSamples)
         ->type_name("N")
-        ->check(CLI::Range(1U, kMaxSamples).description(""))
         ->capture_default_str();
-    sub.add_option("--seed", options.seed, "Another number, another noise")
+    require_whole(sub.add_option("--seed", options.seed, "Another number, another noise"), 0,
+                  std::numeric_limits<std::uint64_t>::max())
         ->type_name("N")
         ->capture_default_str();
     add_choice(sub, "--precision", options.precision, {"float", "double"}, "float or double");
@@ -133,12 +135,13 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
                "light, encode the result");
     add_choice(sub, "--texture-filter", options.texture_filter, {"nearest", "bilinear"},
                "nearest or bilinear, whatever the materials say");
-    sub.add_option("--aperture", options.aperture, "Diameter of the lens; 0 is a pinhole")
-        ->type_name("A")
-        ->check(CLI::Validator(CLI::NonNegativeNumber).description(""));
-    sub.add_option("--focus-distance", options.focus_distance, "What is in focus is this far away")
-        ->type_name("D")
-        ->check(CLI::Validator(CLI::PositiveNumber).description(""));
+    require_number(
+        sub.add_option("--aperture", options.aperture, "Diameter of the lens; 0 is a pinhole"), 0)
+        ->type_name("A");
+    require_above(sub.add_option("--focus-distance", options.focus_distance,
+                                 "What is in focus is this far away"),
+                  0)
+        ->type_name("D");
     add_choice(sub, "--compat", options.compat, {"a4", "a5", "fa2016", "project"},
                "Render as a published program did: a4, a5, fa2016 or project");
     sub.add_flag("--keep-going", options.keep_going,
