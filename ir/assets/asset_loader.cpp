@@ -343,7 +343,7 @@ std::size_t AssetLoader::obj(std::string_view path, Span span) {
         options_.compat == Compat::kNone ? ObjRules::kStandard : ObjRules::kPublished;
     loaded.file = read_obj(read.bytes, rules, options_.limits.mesh_faces);
     loaded.source = sources_.add(resolved, std::move(read.bytes));
-    loaded.usable = loaded.file.faces.size() > 0;
+    loaded.usable = !loaded.file.faces.empty();
     report_problems(loaded, span);
     return index;
 }
