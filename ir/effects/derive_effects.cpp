@@ -112,8 +112,9 @@ class Derivation {
             lit.push_back(light.span);
             if (light.radius > 0 || light.angle > 0) sized.push_back(light.span);
         }
-        const char* const dark =
-            scene_.lights.empty() ? "there are no lights" : "all lights are black";
+        const char* const dark = scene_.lights.empty() ? "there are no lights"
+                                 : lit.empty()         ? "all lights are black"
+                                                       : "there is no object to cast one";
         const char* const point = lit.empty() ? dark : "no light has a radius or an angle";
         if (scene_.objects.empty()) lit.clear();
         if (scene_.compat == Compat::kA4) {

@@ -16,7 +16,7 @@
 
 #include "ir/scene/scene.hpp"
 #include "renderer/settings.hpp"
-#include "renderer/work/tile_renderer.hpp"
+#include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
 

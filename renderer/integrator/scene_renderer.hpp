@@ -10,7 +10,7 @@
 #include "renderer/integrator/shading_scene.hpp"
 #include "renderer/integrator/trace.hpp"
 #include "renderer/settings.hpp"
-#include "renderer/work/tile_renderer.hpp"
+#include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
 

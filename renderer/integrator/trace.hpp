@@ -15,7 +15,7 @@
 #include "renderer/intersect/intersect.hpp"
 #include "renderer/intersect/surface.hpp"
 #include "renderer/sampling/sampler.hpp"
-#include "renderer/work/stats.hpp"
+#include "renderer/tile/stats.hpp"
 
 namespace cobble::renderer {
 

@@ -12,8 +12,8 @@
 #include "renderer/film/film.hpp"
 #include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/job/fp_environment.hpp"
-#include "renderer/work/tile_renderer.hpp"
-#include "renderer/work/tiles.hpp"
+#include "renderer/tile/tile_renderer.hpp"
+#include "renderer/tile/tiles.hpp"
 
 namespace cobble::renderer {
 namespace {

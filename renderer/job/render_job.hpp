@@ -13,8 +13,8 @@
 #include "renderer/film/picture.hpp"
 #include "renderer/job/scheduler.hpp"
 #include "renderer/settings.hpp"
-#include "renderer/work/stats.hpp"
-#include "renderer/work/stop.hpp"
+#include "renderer/tile/stats.hpp"
+#include "renderer/tile/stop.hpp"
 
 namespace cobble::renderer {
 

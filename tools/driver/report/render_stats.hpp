@@ -7,7 +7,7 @@
 #include "frontend/source/source_map.hpp"
 #include "renderer/job/render_job.hpp"
 #include "renderer/settings.hpp"
-#include "renderer/work/stats.hpp"
+#include "renderer/tile/stats.hpp"
 #include "tools/driver/load.hpp"
 
 namespace cobble::driver {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/settings.hpp"
-#include "renderer/work/tile_renderer.hpp"
+#include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "renderer/film/film.hpp"
-#include "renderer/work/stats.hpp"
-#include "renderer/work/stop.hpp"
+#include "renderer/tile/stats.hpp"
+#include "renderer/tile/stop.hpp"
 
 namespace cobble::renderer {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/work/stats.hpp"
+#include "renderer/tile/stats.hpp"
 
 namespace cobble::renderer {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/work/tiles.hpp"
+#include "renderer/tile/tiles.hpp"
 
 #include <algorithm>
 
