@@ -12,7 +12,11 @@ namespace cobble::renderer {
 
 enum class Precision : std::uint8_t { kFloat, kDouble };
 enum class PixelFilter : std::uint8_t { kBox, kTent, kGaussian };
-enum class Acceleration : std::uint8_t { kBvh, kBruteForce };
+enum class Acceleration : std::uint8_t {
+    kFast,        ///< SIMD kernels on wide trees
+    kBvh,         ///< the reference: one ray, one primitive at a time
+    kBruteForce,  ///< the reference without a tree
+};
 
 /// Pixels [x0, x1) x [y0, y1), y downwards from the top of the picture.
 struct Crop {

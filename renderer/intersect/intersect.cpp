@@ -6,6 +6,7 @@
 
 #include "renderer/intersect/query.hpp"
 #include "renderer/intersect/traversal.hpp"
+#include "renderer/intersect/wide.hpp"
 
 namespace cobble::renderer {
 
@@ -111,7 +112,7 @@ void search_tree(const Geometry<T>& g, const RayForms<T>& ray, Search<T>& search
         stop);
 }
 
-template <bool kAny, bool kTree, typename T>
+template <bool kAny, Acceleration kBy, typename T>
 Hit<T> run(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude,
            Counters& counters) {
     const Geometry<T>& g = scene.geometry;
@@ -121,7 +122,9 @@ Hit<T> run(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& excl
     // Planes first: what they hide need not be looked for.
     for (const MovingPrimitive& plane : g.planes) test_plane(g, forms, plane, search);
     if (!stop()) {
-        if constexpr (kTree) {
+        if constexpr (kBy == Acceleration::kFast) {
+            search_wide(g, forms, search, kAny);
+        } else if constexpr (kBy == Acceleration::kBvh) {
             search_tree(g, forms, search, stop);
         } else {
             search_everything(g, forms, search, stop);
@@ -136,31 +139,41 @@ Hit<T> run(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& excl
 template <typename T>
 Hit<T> closest_hit(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude,
                    Counters& counters) {
-    if (scene.options.acceleration == Acceleration::kBruteForce) {
-        return run<false, false>(scene, ray, exclude, counters);
+    switch (scene.options.acceleration) {
+        case Acceleration::kFast:
+            return run<false, Acceleration::kFast>(scene, ray, exclude, counters);
+        case Acceleration::kBvh:
+            return run<false, Acceleration::kBvh>(scene, ray, exclude, counters);
+        case Acceleration::kBruteForce:
+            break;
     }
-    return run<false, true>(scene, ray, exclude, counters);
+    return run<false, Acceleration::kBruteForce>(scene, ray, exclude, counters);
 }
 
 template <typename T>
 bool any_hit(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude,
              Counters& counters) {
-    if (scene.options.acceleration == Acceleration::kBruteForce) {
-        return run<true, false>(scene, ray, exclude, counters).object.valid();
+    switch (scene.options.acceleration) {
+        case Acceleration::kFast:
+            return run<true, Acceleration::kFast>(scene, ray, exclude, counters).object.valid();
+        case Acceleration::kBvh:
+            return run<true, Acceleration::kBvh>(scene, ray, exclude, counters).object.valid();
+        case Acceleration::kBruteForce:
+            break;
     }
-    return run<true, true>(scene, ray, exclude, counters).object.valid();
+    return run<true, Acceleration::kBruteForce>(scene, ray, exclude, counters).object.valid();
 }
 
 template <typename T>
 Hit<T> closest_hit_brute_force(const PreparedScene<T>& scene, const Ray<T>& ray,
                                const Exclude& exclude, Counters& counters) {
-    return run<false, false>(scene, ray, exclude, counters);
+    return run<false, Acceleration::kBruteForce>(scene, ray, exclude, counters);
 }
 
 template <typename T>
 bool any_hit_brute_force(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude,
                          Counters& counters) {
-    return run<true, false>(scene, ray, exclude, counters).object.valid();
+    return run<true, Acceleration::kBruteForce>(scene, ray, exclude, counters).object.valid();
 }
 
 template <typename T>

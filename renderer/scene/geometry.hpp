@@ -11,6 +11,7 @@
 #include "ir/scene/ids.hpp"
 #include "ir/scene/scene.hpp"
 #include "renderer/accel/tree.hpp"
+#include "renderer/accel/wide_tree.hpp"
 #include "renderer/geometry/primitives.hpp"
 
 namespace cobble::renderer {
@@ -19,8 +20,9 @@ namespace cobble::renderer {
 /// to `origin`, a grid point of the mesh's own space.
 template <typename T>
 struct PlacedMesh {
-    std::vector<TrianglePrimitive<T>> triangles;  ///< in the order of the leaves
+    std::vector<TrianglePrimitive<T>> triangles;  ///< in the order of the leaves; empty if `wide`
     Tree<T> tree;
+    WideTree<T> wide;  ///< of the fast core, which needs no other
 };
 
 /// One way an instance stands: at rest the only one, else one of its keys.
@@ -51,10 +53,12 @@ struct Instance {
 /// Primitives of each kind in the order of the tree's leaves.
 template <typename T>
 struct Geometry {
-    Tree<T> tree;  ///< over everything but the planes
+    Tree<T> tree;      ///< over everything but the planes
+    WideTree<T> wide;  ///< the same for the fast core: it holds triangles, spheres and boxes itself
     std::vector<TrianglePrimitive<T>> triangles;
     std::vector<SpherePrimitive<T>> spheres;
     std::vector<BoxPrimitive<T>> boxes;
+    std::vector<ir::ObjectId> box_objects;  ///< of the fast core's boxes
     std::vector<MovingPrimitive> moving_triangles;
     std::vector<MovingPrimitive> moving_spheres;
     std::vector<Instance<T>> instances;

@@ -9,6 +9,7 @@
 
 #include "ir/math/inverse.hpp"
 #include "renderer/accel/builder.hpp"
+#include "renderer/accel/wide_builder.hpp"
 #include "renderer/geometry/bounds.hpp"
 #include "renderer/geometry/wide.hpp"
 #include "renderer/scene/instance_bounds.hpp"
@@ -84,7 +85,7 @@ class Preparation {
                 add_baked(object, id);
             }
         }
-        sort_into_leaves();
+        build();
         out_.options.cancelled = nullptr;
         return std::move(out_);
     }
@@ -351,8 +352,10 @@ class Preparation {
                     place_mesh(scene_.meshes[object.shape], id, instance.shape_origin);
                 }
                 instance.mesh = place;
-                if (g.meshes[place].triangles.empty()) return std::nullopt;
-                return g.meshes[place].tree.bounds;
+                const PlacedMesh<T>& mesh = g.meshes[place];
+                const BoxBounds<T>& box = fast() ? mesh.wide.bounds : mesh.tree.bounds;
+                if (box.empty()) return std::nullopt;
+                return box;
             }
             case ir::ShapeKind::kPlane:
                 break;
@@ -371,10 +374,69 @@ class Preparation {
                              static_cast<std::uint32_t>(triangles.size())});
             triangles.push_back({v, id, f});
         }
-        placed.tree = build_tree(items, options().cancelled);
-        placed.triangles.reserve(items.size());
-        for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
+        if (fast()) {
+            placed.wide = wide_tree(items, triangles, {});
+        } else {
+            placed.tree = build_tree(items, options().cancelled);
+            placed.triangles.reserve(items.size());
+            for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
+        }
         geometry().meshes.push_back(std::move(placed));
+    }
+
+    [[nodiscard]] bool fast() const { return options().acceleration == Acceleration::kFast; }
+
+    /// The fast core's tree, with copies of the triangles and spheres in its blocks.
+    WideTree<T> wide_tree(std::vector<BuildItem<T>>& items,
+                          const std::vector<TrianglePrimitive<T>>& triangles,
+                          const std::vector<SpherePrimitive<T>>& spheres) {
+        WideBuild<T> build = build_wide_tree(items, options().cancelled);
+        WideTree<T> tree;
+        tree.bounds = build.bounds;
+        tree.nodes = std::move(build.nodes);
+        tree.triangles.resize(build.triangle_blocks.size());
+        for (std::size_t b = 0; b < build.triangle_blocks.size(); ++b) {
+            const LeafRange range = build.triangle_blocks[b];
+            for (std::uint32_t lane = 0; lane < range.count; ++lane) {
+                const auto& from = triangles[items[range.first + lane].index];
+                set_lane(tree.triangles[b], lane, from);
+            }
+        }
+        tree.spheres.resize(build.sphere_blocks.size());
+        for (std::size_t b = 0; b < build.sphere_blocks.size(); ++b) {
+            const LeafRange range = build.sphere_blocks[b];
+            for (std::uint32_t lane = 0; lane < range.count; ++lane) {
+                const auto& from = spheres[items[range.first + lane].index];
+                set_lane(tree.spheres[b], lane, from);
+            }
+        }
+        return tree;
+    }
+
+    static void set_lane(TriangleBlock<T>& block, std::uint32_t lane,
+                         const TrianglePrimitive<T>& from) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                block.vertices[corner][axis][lane] = from.vertices[corner][axis];
+            }
+        }
+        block.object[lane] = from.object;
+        block.face[lane] = from.face;
+    }
+    static void set_lane(SphereBlock<T>& block, std::uint32_t lane,
+                         const SpherePrimitive<T>& from) {
+        for (std::size_t axis = 0; axis < 3; ++axis) block.center[axis][lane] = from.center[axis];
+        block.radius[lane] = from.radius;
+        block.object[lane] = from.object;
+    }
+
+    void build_fast() {
+        Geometry<T>& g = geometry();
+        g.wide = wide_tree(items_, g.triangles, g.spheres);
+        for (const auto& box : g.boxes) g.box_objects.push_back(box.object);
+        g.triangles = {};
+        g.spheres = {};
+        // boxes are still read by the kernels
     }
 
     template <typename U>
@@ -387,15 +449,13 @@ class Preparation {
         array = std::move(sorted);
     }
 
-    void sort_into_leaves() {
+    void build() {
         Geometry<T>& g = geometry();
-        g.tree = build_tree(items_, options().cancelled);
-        sort_kind(PrimitiveKind::kTriangle, g.triangles);
-        sort_kind(PrimitiveKind::kSphere, g.spheres);
-        sort_kind(PrimitiveKind::kBox, g.boxes);
-        sort_kind(PrimitiveKind::kMovingTriangle, g.moving_triangles);
-        sort_kind(PrimitiveKind::kMovingSphere, g.moving_spheres);
-        sort_kind(PrimitiveKind::kInstance, g.instances);
+        if (fast()) {
+            build_fast();
+        } else {
+            build_reference();
+        }
         const auto place = [&g](const auto& array, bool instance) {
             for (std::uint32_t i = 0; i < array.size(); ++i) {
                 g.places[array[i].object.value] = {instance, i};
@@ -404,6 +464,17 @@ class Preparation {
         place(g.moving_triangles, false);
         place(g.moving_spheres, false);
         place(g.instances, true);
+    }
+
+    void build_reference() {
+        Geometry<T>& g = geometry();
+        g.tree = build_tree(items_, options().cancelled);
+        sort_kind(PrimitiveKind::kTriangle, g.triangles);
+        sort_kind(PrimitiveKind::kSphere, g.spheres);
+        sort_kind(PrimitiveKind::kBox, g.boxes);
+        sort_kind(PrimitiveKind::kMovingTriangle, g.moving_triangles);
+        sort_kind(PrimitiveKind::kMovingSphere, g.moving_spheres);
+        sort_kind(PrimitiveKind::kInstance, g.instances);
     }
 
     const ir::Scene& scene_;
@@ -427,7 +498,15 @@ std::uint64_t PreparedScene<T>::bytes() const {
         bytes_of(g.moving_triangles) + bytes_of(g.moving_spheres) + bytes_of(g.instances) +
         bytes_of(g.planes) + bytes_of(g.triangle_keys) + bytes_of(g.sphere_keys) +
         bytes_of(g.plane_keys) + bytes_of(g.instance_keys) + bytes_of(g.places) + bytes_of(notes);
-    for (const auto& mesh : g.meshes) sum += bytes_of(mesh.triangles) + bytes_of(mesh.tree.nodes);
+    const auto add_wide = [&sum](const WideTree<T>& tree) {
+        sum += bytes_of(tree.nodes) + bytes_of(tree.triangles) + bytes_of(tree.spheres);
+    };
+    add_wide(g.wide);
+    sum += bytes_of(g.box_objects);
+    for (const auto& mesh : g.meshes) {
+        sum += bytes_of(mesh.triangles) + bytes_of(mesh.tree.nodes);
+        add_wide(mesh.wide);
+    }
     return sum;
 }
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Builds a WideTree's nodes: binned surface-area heuristic over object splits (Wald, On fast
+// Construction of SAH-based Bounding Volume Hierarchies, 2007), collapsed to eight children.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "renderer/accel/builder.hpp"
+#include "renderer/accel/wide_tree.hpp"
+
+namespace cobble::renderer {
+
+/// Items [first, first + count) of the builder's order: one block.
+struct LeafRange {
+    std::uint32_t first, count;
+};
+
+/// The nodes, and what to fill the blocks with.
+template <typename T>
+struct WideBuild {
+    std::vector<WideNode<T>> nodes;
+    std::vector<LeafRange> triangle_blocks;
+    std::vector<LeafRange> sphere_blocks;
+    BoxBounds<T> bounds;
+};
+
+/// Reorders `items` so that each block's are neighbours. Slots of boxes, instances and moving
+/// things carry the item's own index. The same on every machine; O(n log n), also for a million
+/// items in one place. At most ChildRef::kMostIndex items of a kind. If `cancelled` is given and
+/// becomes true, returns soon, with nothing in it.
+template <typename T>
+WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items,
+                             const std::atomic<bool>* cancelled = nullptr);
+
+}  // namespace cobble::renderer

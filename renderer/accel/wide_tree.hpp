@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The fast core's tree: eight children a node, leaves laid out for SIMD.
+//
+// One layout serves every instruction set: a kernel with four lanes takes a node in two steps. What
+// a leaf holds stands beside each other by coordinate, four primitives at a time; a box needs no
+// leaf at all, since a node's slot is a box.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "ir/scene/ids.hpp"
+#include "renderer/geometry/primitives.hpp"
+
+namespace cobble::renderer {
+
+/// What a slot of a node leads to, in 32 bits: a kind, up to four primitives, and where they are.
+class ChildRef {
+  public:
+    static constexpr std::uint32_t kMostIndex = (1U << 27) - 1;
+
+    constexpr ChildRef() = default;
+    static constexpr ChildRef inner(std::uint32_t node) { return ChildRef(node); }
+    /// `index` is a block for triangles and spheres, else the primitive. `count` is 1 to 4.
+    static constexpr ChildRef leaf(PrimitiveKind kind, std::uint32_t index, std::uint32_t count) {
+        return ChildRef((static_cast<std::uint32_t>(kind) + 1) << 29 | (count - 1) << 27 | index);
+    }
+
+    [[nodiscard]] constexpr bool is_inner() const { return bits_ >> 29 == 0; }
+    [[nodiscard]] constexpr PrimitiveKind kind() const {
+        return static_cast<PrimitiveKind>((bits_ >> 29) - 1);
+    }
+    [[nodiscard]] constexpr std::uint32_t count() const { return (bits_ >> 27 & 3) + 1; }
+    [[nodiscard]] constexpr std::uint32_t index() const { return bits_ & kMostIndex; }
+
+  private:
+    explicit constexpr ChildRef(std::uint32_t bits) : bits_(bits) {}
+    std::uint32_t bits_ = 0;
+};
+static_assert(kPrimitiveKinds < 8);
+
+/// Eight boxes, a lane each. 224 bytes in float: three and a half cache lines. An empty slot's box
+/// is inside out and never met.
+template <typename T>
+struct alignas(32) WideNode {
+    static constexpr std::size_t kWidth = 8;
+
+    T bounds[6][kWidth];  ///< least x, y, z, greatest x, y, z
+    ChildRef child[kWidth];
+};
+
+inline constexpr std::size_t kBlockLanes = 4;
+
+/// Up to four triangles; what the lanes behind the last hold has no meaning.
+template <typename T>
+struct alignas(16) TriangleBlock {
+    T vertices[3][3][kBlockLanes];  ///< corner, axis
+    ir::ObjectId object[kBlockLanes];
+    std::uint32_t face[kBlockLanes];
+};
+
+template <typename T>
+struct alignas(16) SphereBlock {
+    T center[3][kBlockLanes];
+    T radius[kBlockLanes];
+    ir::ObjectId object[kBlockLanes];
+};
+
+/// Nodes from the root at 0, each subtree's together; none if there is nothing in it.
+template <typename T>
+struct WideTree {
+    std::vector<WideNode<T>> nodes;
+    std::vector<TriangleBlock<T>> triangles;
+    std::vector<SphereBlock<T>> spheres;
+    BoxBounds<T> bounds;
+};
+
+}  // namespace cobble::renderer
