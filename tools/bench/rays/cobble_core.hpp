@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Our cores as contestants: the reference, and the fast core by each instruction set.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/prepared_scene.hpp"
+#include "tools/bench/rays/measure.hpp"
+#include "tools/bench/rays/ray_sets.hpp"
+
+namespace cobble::bench {
+
+/// An instruction set that this machine has and that the kernels were compiled for.
+struct InstructionSet {
+    std::string name;  ///< "avx2"
+    std::int64_t target = 0;
+};
+
+/// The best first.
+const std::vector<InstructionSet>& instruction_sets();
+
+/// Makes all kernels use it from now on, on all threads.
+void use_instruction_set(const InstructionSet& set);
+
+/// "cobble-reference", then one for each instruction set and way of asking, the best first. What is
+/// passed must outlive the contestants.
+template <typename T>
+std::vector<Contestant> cobble_contestants(const renderer::PreparedScene<T>& reference,
+                                           const renderer::PreparedScene<T>& fast,
+                                           const RaySet<T>& rays);
+
+/// How many answers of the fast core differ from the reference's in any bit of t, object, face, u
+/// or v (any hit: in whether there is one), by each instruction set, summed. Prints the first of
+/// each to stderr.
+template <typename T>
+std::uint64_t count_differences(const renderer::PreparedScene<T>& fast, const RaySet<T>& rays);
+
+/// Nodes and leaves of the fast core's trees, with what they point into to be hit.
+template <typename T>
+std::uint64_t tree_bytes(const renderer::PreparedScene<T>& fast);
+
+}  // namespace cobble::bench
