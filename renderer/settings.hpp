@@ -13,7 +13,7 @@ namespace cobble::renderer {
 enum class Precision : std::uint8_t { kFloat, kDouble };
 enum class PixelFilter : std::uint8_t { kBox, kTent, kGaussian };
 enum class Acceleration : std::uint8_t {
-    kFast,        ///< SIMD kernels on wide trees
+    kFast,        ///< batches of rays, SIMD kernels on wide trees
     kBvh,         ///< the reference: one ray, one primitive at a time
     kBruteForce,  ///< the reference without a tree
 };
@@ -33,7 +33,7 @@ struct Settings {
     std::uint64_t seed = 0;
     PixelFilter filter = PixelFilter::kBox;
     Precision precision = Precision::kFloat;
-    Acceleration acceleration = Acceleration::kBvh;
+    Acceleration acceleration = Acceleration::kFast;
     std::uint32_t tile_size = 32;
     ir::Effects effects;  ///< what to simulate; ir::derive_effects, then the command line's word
     std::optional<ir::TextureFilter> texture_filter;  ///< over every material's own

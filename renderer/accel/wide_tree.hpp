@@ -43,7 +43,7 @@ static_assert(kPrimitiveKinds < 8);
 /// Eight boxes, a lane each. 224 bytes in float: three and a half cache lines. An empty slot's box
 /// is inside out and never met.
 template <typename T>
-struct alignas(32) WideNode {
+struct alignas(8 * sizeof(T)) WideNode {
     static constexpr std::size_t kWidth = 8;
 
     T bounds[6][kWidth];  ///< least x, y, z, greatest x, y, z
@@ -54,7 +54,7 @@ inline constexpr std::size_t kBlockLanes = 4;
 
 /// Up to four triangles; what the lanes behind the last hold has no meaning.
 template <typename T>
-struct alignas(16) TriangleBlock {
+struct alignas(4 * sizeof(T)) TriangleBlock {
     T vertices[3][3][kBlockLanes];  ///< corner, axis
     ir::ObjectId object[kBlockLanes];
     std::uint32_t face[kBlockLanes];

@@ -29,7 +29,7 @@ double uniform(std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint32
 enum Use : std::uint32_t { kJitterX, kJitterY, kLensRadius, kLensAngle };
 
 /// A tile on its way: samples 0 to `next` are there, and the next one perhaps half.
-class PausedTile : public PausedPixel {
+class PausedTile : public PausedWork {
   public:
     PausedTile(const CompatRules& rules, const Settings& settings, const Tile& tile)
         : grid(rules, settings.width, settings.height, tile.x0, tile.y0, tile.x1, tile.y1) {}
@@ -42,12 +42,18 @@ class PausedTile : public PausedPixel {
     CompatTrace trace;
 };
 
+/// The published programs' rays begin where theirs did, one after the other: there is nothing to
+/// batch, so they stay on the plain tree.
+Acceleration reference(Acceleration wanted) {
+    return wanted == Acceleration::kFast ? Acceleration::kBvh : wanted;
+}
+
 class CompatRenderer : public TileRenderer {
   public:
     CompatRenderer(const ir::Scene& scene, const Settings& settings,
                    const std::atomic<bool>* cancelled)
         : settings_(settings),
-          prepared_(prepare<double>(scene, {settings.acceleration, true, cancelled})),
+          prepared_(prepare<double>(scene, {reference(settings.acceleration), true, cancelled})),
           scene_{&scene, &prepared_, rules_of(scene.compat, settings)},
           camera_(scene.camera, scene_.rules, settings.width, settings.height) {}
 
@@ -64,7 +70,7 @@ class CompatRenderer : public TileRenderer {
         }
         auto& state = static_cast<PausedTile&>(*work.paused);
         while (!work.done()) {
-            const std::uint32_t y = work.tile.y(work.next_pixel);
+            const std::uint32_t y = work.tile.y(work.pixels_done);
             const std::uint64_t needed = state.grid.needed_for_row(y);
             while (state.next < needed) {
                 if (stop(work.counters.box_tests + work.counters.primitive_tests)) return;
@@ -132,8 +138,8 @@ class CompatRenderer : public TileRenderer {
     }
 
     void finish_pixel(const PausedTile& state, TileWork& work, Film& film) const {
-        const std::uint32_t x = work.tile.x(work.next_pixel);
-        const std::uint32_t y = work.tile.y(work.next_pixel);
+        const std::uint32_t x = work.tile.x(work.pixels_done);
+        const std::uint32_t y = work.tile.y(work.pixels_done);
         Pixel pixel;
         pixel.color = state.grid.pixel(x, y);
         pixel.samples = scene_.rules.grid * scene_.rules.grid * rays_per_sample(scene_.rules);
@@ -142,7 +148,7 @@ class CompatRenderer : public TileRenderer {
         }
         film.set_pixel(x, y, pixel);
         work.samples_done += pixel.samples;
-        ++work.next_pixel;
+        ++work.pixels_done;
     }
 
     /// Depth and normals are those at the pixel's place in the plain picture, whatever the grid.

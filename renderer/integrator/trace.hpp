@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whitted's recursion without recursion: one ray at a time, from a stack of those still to follow.
+// Whitted's recursion without recursion: a stack of the rays still to follow.
 //
 // colour of a ray = what it meets + weight of the reflected ray times its colour + the same for the
 // refracted one. All of it is linear, so each ray carries the product of weights on its way and
@@ -11,37 +11,53 @@
 
 #include "renderer/film/accumulator.hpp"
 #include "renderer/integrator/shading_scene.hpp"
-#include "renderer/integrator/surface_shading.hpp"
+#include "renderer/integrator/stages.hpp"
 #include "renderer/intersect/intersect.hpp"
-#include "renderer/intersect/surface.hpp"
 #include "renderer/sampling/sampler.hpp"
+#include "renderer/settings.hpp"
 #include "renderer/tile/stats.hpp"
 
 namespace cobble::renderer {
 
-enum class RayKind : std::uint8_t { kCamera, kReflected, kRefracted };
-
-/// A ray on its way through the tree.
+/// A sample on its way.
 template <typename T>
-struct TracedRay {
-    Ray<T> ray;                     ///< direction of unit length
-    Exclude exclude;                ///< what it starts on
-    math::Vec3<T> weight{1, 1, 1};  ///< of what it brings back, in its pixel
-    T index = 1;                    ///< refraction index of where it travels
-    PathAddress path;
-    std::uint32_t depth = 0;  ///< turns since the camera
-    RayKind kind = RayKind::kCamera;
+struct SampleTrace {
+    std::vector<TracedRay<T>> stack;
+    Sample sample;  ///< complete when done
+    ir::ObjectId first_object;
+
+    [[nodiscard]] bool done() const { return stack.empty(); }
 };
 
-/// What one ray met.
+/// What a stack has to hold at most: each ray taken off puts at most two on, one turn deeper.
+template <typename T>
+std::size_t deepest_stack(const ShadingScene<T>& scene) {
+    return scene.bounces + std::size_t{2};
+}
+
+/// Puts the first ray of sample `sample` of pixel (x, y) on the trace's stack, which is empty. A
+/// pixel's only sample goes through its centre; of several, each falls where the filter says.
+template <typename T>
+void begin_sample(const ShadingScene<T>& scene, const Settings& settings, const Sampler& sampler,
+                  std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace);
+
+/// Adds to the sample what `ray`, taken off its stack, brought back, and puts the rays that go on
+/// from there on the stack. Samples have one sequence of bits only if their rays are taken from the
+/// top of the stack, one after the other.
+template <typename T>
+void bring_back(SampleTrace<T>& trace, const TracedRay<T>& ray, const Encounter<T>& met,
+                math::Vec3<T> color, const Offspring<T>& children);
+
+/// For a sample that came out as no number.
+BadSample bad_sample(const ir::Scene& scene, std::uint32_t x, std::uint32_t y, std::uint32_t sample,
+                     ir::ObjectId first_object);
+
+/// All that one ray did.
 template <typename T>
 struct Shaded {
-    Hit<T> hit;
-    SurfacePoint<T> point;     ///< if hit
-    SurfaceLook<T> look;       ///< if hit
-    math::Vec3<T> color;       ///< of the surface under its lights, or of the background
-    TracedRay<T> children[2];  ///< reflected before refracted
-    std::uint32_t child_count = 0;
+    Encounter<T> met;
+    math::Vec3<T> color;
+    Offspring<T> children;
 };
 
 /// One light at one surface, for those who ask what made a pixel.
@@ -52,26 +68,10 @@ struct LightAtSurface {
     math::Vec3<T> contribution;
 };
 
-/// The first ray of a sample through (x, y) of the picture; draws lens and time if their effects
-/// are on.
-template <typename T>
-TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y);
-
-/// Meets the scene once: closest hit, colour, lights (a shadow ray each, if any can matter) and the
-/// rays to follow, those whose weight is zero left out. `seen`, if given, hears of every light.
+/// All stages for one ray: the reference. `seen`, if given, hears of every light.
 template <typename T>
 Shaded<T> shade(const ShadingScene<T>& scene, const Sampler& sampler, const TracedRay<T>& ray,
                 Counters& counters, std::vector<LightAtSurface<T>>* seen = nullptr);
-
-/// A sample on its way, to be stepped until done.
-template <typename T>
-struct SampleTrace {
-    std::vector<TracedRay<T>> stack;
-    Sample sample;  ///< complete when done
-    ir::ObjectId first_object;
-
-    [[nodiscard]] bool done() const { return stack.empty(); }
-};
 
 /// Follows one ray of the stack.
 template <typename T>

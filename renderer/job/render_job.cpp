@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <tuple>
 #include <utility>
 
 #include "renderer/compat/compat_renderer.hpp"
@@ -50,10 +49,7 @@ struct alignas(64) Totals {
     /// Which ones are kept does not depend on the order of tiles: the first of the picture are
     /// among the first of their tile.
     void keep_first() {
-        std::sort(bad_samples.begin(), bad_samples.end(),
-                  [](const BadSample& a, const BadSample& b) {
-                      return std::tie(a.y, a.x, a.sample) < std::tie(b.y, b.x, b.sample);
-                  });
+        std::sort(bad_samples.begin(), bad_samples.end());
         if (bad_samples.size() > TileWork::kBadSamplesKept) {
             bad_samples.resize(TileWork::kBadSamplesKept);
         }

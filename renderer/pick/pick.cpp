@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/pick/pick.hpp"
 
-#include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/integrator/trace.hpp"
 #include "renderer/job/fp_environment.hpp"
 
@@ -35,18 +34,18 @@ PickNode make_node(const ShadingScene<double>& scene, const TracedRay<double>& r
                 : ray.kind == RayKind::kReflected ? PickNode::Kind::kReflected
                                                   : PickNode::Kind::kRefracted;
     node.depth = ray.depth;
-    node.hit = static_cast<bool>(shaded.hit);
+    node.hit = static_cast<bool>(shaded.met.hit);
     node.origin = scene.geometry.to_world(ray.ray.origin);
     node.direction = ray.ray.direction;
     node.color = shaded.color;
     if (!node.hit) return node;
-    node.t = shaded.hit.t;
-    node.position = scene.geometry.to_world(shaded.point.position);
-    node.normal = shaded.look.normal;
-    node.geometric_normal = shaded.look.geometric;
-    node.object = shaded.point.object;
-    node.face = shaded.point.face;
-    node.material = shaded.point.material;
+    node.t = shaded.met.hit.t;
+    node.position = scene.geometry.to_world(shaded.met.point.position);
+    node.normal = shaded.met.look.normal;
+    node.geometric_normal = shaded.met.look.geometric;
+    node.object = shaded.met.point.object;
+    node.face = shaded.met.point.face;
+    node.material = shaded.met.point.material;
     for (const LightAtSurface<double>& light : lights) {
         node.lights.push_back({ir::LightId{light.light}, light.visible, light.contribution});
     }
@@ -80,8 +79,8 @@ PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x,
         tints.push_back(waiting.tint);
         parents.push_back(waiting.parent);
         if (index > 0) tree.nodes[waiting.parent].children.push_back(index);
-        for (std::uint32_t i = shaded.child_count; i > 0; --i) {
-            const TracedRay<double>& child = shaded.children[i - 1];
+        for (std::uint32_t i = shaded.children.count; i > 0; --i) {
+            const TracedRay<double>& child = shaded.children.rays[i - 1];
             stack.push_back({child, index, child.weight});
         }
     }

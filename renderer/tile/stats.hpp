@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "frontend/source/span.hpp"
@@ -30,6 +31,11 @@ struct Counters {
 struct BadSample {
     std::uint32_t x = 0, y = 0, sample = 0;
     source::Span span;  ///< the object hit first; invalid if none
+
+    /// In the order of the picture's pixels, then of their samples.
+    [[nodiscard]] bool operator<(const BadSample& other) const {
+        return std::tie(y, x, sample) < std::tie(other.y, other.x, other.sample);
+    }
 };
 
 struct PhaseTime {

@@ -5,6 +5,7 @@
 // own meaning (renderer/integrator) and the published programs' (renderer/compat) are two of them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,31 +29,32 @@ struct Tile {
     }
 };
 
-/// Whatever a renderer must remember to go on in the middle of a pixel.
-class PausedPixel {
+/// Whatever a renderer must remember to go on in the middle of a tile.
+class PausedWork {
   public:
-    PausedPixel() = default;
-    PausedPixel(const PausedPixel&) = delete;
-    PausedPixel& operator=(const PausedPixel&) = delete;
-    virtual ~PausedPixel() = default;
+    PausedWork() = default;
+    PausedWork(const PausedWork&) = delete;
+    PausedWork& operator=(const PausedWork&) = delete;
+    virtual ~PausedWork() = default;
 };
 
 /// A tile on its way. Used by one worker at a time, but not always by the same one.
 struct TileWork {
     Tile tile;
-    std::uint64_t next_pixel = 0;  ///< row by row inside the tile; tile.pixels() when done
-    std::unique_ptr<PausedPixel> paused;
+    std::uint64_t pixels_done = 0;  ///< in whatever order the renderer takes them
+    std::unique_ptr<PausedWork> paused;
     std::uint64_t samples_done = 0;
     Counters counters;
     std::uint64_t bad_sample_count = 0;
-    std::vector<BadSample> bad_samples;  ///< the first kBadSamplesKept
+    std::vector<BadSample> bad_samples;  ///< the first kBadSamplesKept of the tile, in their order
 
     static constexpr std::size_t kBadSamplesKept = 16;
 
-    [[nodiscard]] bool done() const { return next_pixel == tile.pixels(); }
+    [[nodiscard]] bool done() const { return pixels_done == tile.pixels(); }
     void report(const BadSample& bad) {
         ++bad_sample_count;
-        if (bad_samples.size() < kBadSamplesKept) bad_samples.push_back(bad);
+        bad_samples.insert(std::upper_bound(bad_samples.begin(), bad_samples.end(), bad), bad);
+        if (bad_samples.size() > kBadSamplesKept) bad_samples.pop_back();
     }
 };
 

@@ -122,6 +122,7 @@ class Render {
             (settings.crop->x0 >= settings.width || settings.crop->y0 >= settings.height)) {
             return "--crop: the rectangle lies outside the picture";
         }
+        if (options_.reference) settings.acceleration = renderer::Acceleration::kBvh;
         if (options_.filter == "tent") settings.filter = renderer::PixelFilter::kTent;
         if (options_.filter == "gaussian") settings.filter = renderer::PixelFilter::kGaussian;
         if (!options_.shard.empty()) {
@@ -332,7 +333,7 @@ void add_render(CLI::App& app, Context& context) {
         ->type_name("N")
         ->capture_default_str();
     sub->add_flag("--reference", options->reference,
-                  "Use the reference renderer, which is the only one in this release");
+                  "One ray at a time on a plain tree: slow, and the same picture");
     sub->add_option("--shard", options->shard,
                     "Render part I of N, from 1; `cobble merge` joins the parts")
         ->type_name("I/N")

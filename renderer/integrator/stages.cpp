@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/integrator/stages.hpp"
+
+#include "renderer/shading/cube_map.hpp"
+#include "renderer/shading/fresnel.hpp"
+#include "renderer/shading/phong.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+template <typename T>
+bool is_zero(math::Vec3<T> v) {
+    return v.x == T(0) && v.y == T(0) && v.z == T(0);
+}
+
+template <typename T>
+math::Vec3<T> background(const ShadingScene<T>& scene, math::Vec3<T> direction) {
+    if (scene.sky == nullptr) return scene.background;
+    return sample_cube_map(*scene.source, *scene.sky, ir::TextureFilter::kBilinear,
+                           direction.template to<double>())
+        .template to<T>();
+}
+
+/// A light sends nothing from below: below the surface itself where shadows are simulated (the
+/// surface hides it), and in any case below the surface that a map bends. Without shadows the
+/// interpolated normal alone decides, as in the published programs.
+template <typename T>
+bool from_below(const ActiveEffects& effects, const SurfaceLook<T>& look, math::Vec3<T> to_light) {
+    return (effects.shadows && !(math::dot(look.geometric, to_light) > T(0))) ||
+           (look.bent && !(math::dot(look.smooth, to_light) > T(0)));
+}
+
+template <typename T>
+void follow(Offspring<T>& children, const TracedRay<T>& ray, const SurfacePoint<T>& from,
+            RayKind kind, math::Vec3<T> direction, math::Vec3<T> weight, T index) {
+    if (is_zero(weight)) return;
+    const Departure<T> departure = leave(from, direction, ray.ray.time);
+    TracedRay<T>& child = children.rays[children.count++];
+    child.ray = departure.ray;
+    child.exclude = departure.exclude;
+    child.weight = weight;
+    child.index = index;
+    child.path = kind == RayKind::kReflected ? ray.path.reflected() : ray.path.refracted();
+    child.depth = ray.depth + 1;
+    child.kind = kind;
+}
+
+/// 0.5 of the surroundings in the mirror's direction, 0.5 of the surface's own colour; unlit.
+template <typename T>
+math::Vec3<T> environment_mapped(const ShadingScene<T>& scene, const TracedRay<T>& ray,
+                                 const PreparedMaterial<T>& material, const SurfaceLook<T>& look) {
+    const math::Vec3<T> direction =
+        keep_above(reflect(ray.ray.direction, look.viewer_normal), look.viewer_geometric);
+    const auto around = sample_cube_map(*scene.source, *material.cube_map, material.filter,
+                                        direction.template to<double>())
+                            .template to<T>();
+    return around * T(0.5) + look.kd * T(0.5);
+}
+
+}  // namespace
+
+void count(Counters& counters, RayKind kind) {
+    switch (kind) {
+        case RayKind::kCamera:
+            ++counters.camera_rays;
+            break;
+        case RayKind::kReflected:
+            ++counters.reflected_rays;
+            break;
+        case RayKind::kRefracted:
+            ++counters.refracted_rays;
+            break;
+    }
+}
+
+template <typename T>
+TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y) {
+    const CameraRay from_camera = scene.effects.depth_of_field
+                                      ? scene.camera.through_lens(x, y, sampler.draw(Draw::kLens))
+                                      : scene.camera.pinhole(x, y);
+    TracedRay<T> result;
+    result.ray.origin = scene.geometry.to_local(from_camera.origin);
+    result.ray.direction = from_camera.direction.template to<T>();
+    result.ray.time =
+        static_cast<T>(scene.effects.motion_blur ? scene.camera.time(sampler.draw(Draw::kTime).x)
+                                                 : scene.camera.time_open());
+    return result;
+}
+
+template <typename T>
+void meet(const ShadingScene<T>& scene, const TracedRay<T>& ray, Encounter<T>& met) {
+    if (!met.hit) return;
+    met.point = surface_at(scene.geometry, ray.ray, met.hit);
+    met.material = &scene.material(met.point.material);
+    met.look = look_at_surface(scene, *met.material, met.point, ray.ray.direction);
+    if (!met.lit()) return;
+    met.mirrored = reflect(ray.ray.direction, met.look.normal);
+    met.light = {};
+}
+
+template <typename T>
+LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
+                           const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light) {
+    const PreparedLight& source = scene.lights[light];
+    const PreparedMaterial<T>& material = *met.material;
+    const LightSample<T> sample =
+        scene.effects.soft_shadows && source.has_size()
+            ? light_sample(source, met.point.position, sampler.draw(Draw::kLight, ray.path, light))
+            : light_middle(source, met.point.position);
+    LightQuestion<T> result;
+    result.contribution =
+        sample.intensity * phong(met.look.normal, sample.direction, met.mirrored, met.look.kd,
+                                 material.specular, material.shininess, scene.effects.highlights);
+    if (from_below(scene.effects, met.look, sample.direction)) result.contribution = {};
+    result.matters = !is_zero(result.contribution);
+    if (result.matters && scene.effects.shadows) {
+        result.shadow = source.kind == ir::Light::Kind::kPoint
+                            ? leave_toward(met.point, sample.target, ray.ray.time)
+                            : leave(met.point, sample.direction, ray.ray.time);
+    }
+    return result;
+}
+
+template <typename T>
+math::Vec3<T> color_of(const ShadingScene<T>& scene, const TracedRay<T>& ray,
+                       const Encounter<T>& met) {
+    if (!met.hit) return background(scene, ray.ray.direction);
+    if (!met.lit()) return environment_mapped(scene, ray, *met.material, met.look);
+    return scene.ambient * met.look.kd + met.light;
+}
+
+/// Mirror and glass. There is no stack of media: leaving anything leads to index 1.
+template <typename T>
+void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encounter<T>& met,
+             Offspring<T>& children) {
+    children.count = 0;
+    if (!met.hit || ray.depth >= scene.bounces || is_zero(met.material->specular)) return;
+    const PreparedMaterial<T>& material = *met.material;
+    const bool see_through = material.refraction_index > T(0);
+    if (!scene.effects.reflection && !(scene.effects.refraction && see_through)) return;
+    const SurfaceLook<T>& look = met.look;
+    const math::Vec3<T> tint = ray.weight * material.specular;
+    T reflectance = 1;
+    Refraction<T> through;
+    if (see_through) {
+        const T index = look.leaving ? T(1) : material.refraction_index;
+        through = refract(ray.ray.direction, look.viewer_normal, ray.index, index);
+        reflectance = through.reflectance;
+    }
+    if (scene.effects.reflection) {
+        const math::Vec3<T> mirrored =
+            keep_above(reflect(ray.ray.direction, look.viewer_normal), look.viewer_geometric);
+        follow(children, ray, met.point, RayKind::kReflected, mirrored, tint * reflectance,
+               ray.index);
+    }
+    if (scene.effects.refraction && see_through && !through.total) {
+        const T index = look.leaving ? T(1) : material.refraction_index;
+        follow(children, ray, met.point, RayKind::kRefracted,
+               keep_above(through.direction, -look.viewer_geometric), tint * (T(1) - reflectance),
+               index);
+    }
+}
+
+#define COBBLE_INSTANTIATE(T)                                                                     \
+    template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double);     \
+    template void meet(const ShadingScene<T>&, const TracedRay<T>&, Encounter<T>&);               \
+    template LightQuestion<T> ask_light(const ShadingScene<T>&, const Sampler&,                   \
+                                        const TracedRay<T>&, const Encounter<T>&, std::uint32_t); \
+    template math::Vec3<T> color_of(const ShadingScene<T>&, const TracedRay<T>&,                  \
+                                    const Encounter<T>&);                                         \
+    template void scatter(const ShadingScene<T>&, const TracedRay<T>&, const Encounter<T>&,       \
+                          Offspring<T>&);
+COBBLE_INSTANTIATE(float)
+COBBLE_INSTANTIATE(double)
+#undef COBBLE_INSTANTIATE
+
+}  // namespace cobble::renderer
