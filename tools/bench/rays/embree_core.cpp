@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -48,6 +49,10 @@ struct Calls<16> {
     }
 };
 
+/// Our rays leave out their ends and Embree's do not, so that one from a surface would meet it at
+/// 0.
+float nearest(float t_min) { return t_min > 0 ? t_min : std::numeric_limits<float>::min(); }
+
 /// Rays in packets, the last one filled up with copies that `valid` leaves out.
 template <unsigned N>
 struct Packets {
@@ -63,7 +68,7 @@ struct Packets {
             const float fields[12] = {static_cast<float>(ray.origin.x),
                                       static_cast<float>(ray.origin.y),
                                       static_cast<float>(ray.origin.z),
-                                      static_cast<float>(ray.t_min),
+                                      nearest(static_cast<float>(ray.t_min)),
                                       static_cast<float>(ray.direction.x),
                                       static_cast<float>(ray.direction.y),
                                       static_cast<float>(ray.direction.z),
