@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdio>
+#include <span>
 
-#include "renderer/intersect/intersect.hpp"
+#include "renderer/intersect/batch.hpp"
 #include "renderer/job/fp_environment.hpp"
 
 namespace cobble::bench {
@@ -19,24 +22,64 @@ using renderer::PreparedScene;
 
 namespace {
 
+renderer::Coherence coherence_of(const RayKind& kind) {
+    return kind.coherent ? renderer::Coherence::kCoherent : renderer::Coherence::kNone;
+}
+
+/// As many as the renderer asks for at once.
+constexpr std::size_t kBatch = 128;
+
+enum class Ask : bool { kSingle, kBatches };
+
+/// Answers rays [begin, end) into `hits` from its beginning on; of an any hit, only whether.
 template <typename T>
-std::uint64_t trace_single(const PreparedScene<T>& scene, const RaySet<T>& rays, std::size_t begin,
-                           std::size_t end) {
-    const FpEnvironment environment;
+void closest(const PreparedScene<T>& scene, const RaySet<T>& set, Ask ask, std::size_t begin,
+             std::span<Hit<T>> hits) {
     Counters counters;
-    std::uint64_t hits = 0;
-    if (rays.kind.any) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const RayQuery<T>& q = rays.queries[i];
-            hits += any_hit(scene, q.ray, q.exclude, counters) ? 1 : 0;
-        }
-    } else {
-        for (std::size_t i = begin; i < end; ++i) {
-            const RayQuery<T>& q = rays.queries[i];
-            hits += closest_hit(scene, q.ray, q.exclude, counters) ? 1 : 0;
+    if (ask == Ask::kBatches) {
+        renderer::closest_hits<T>(scene, std::span(set.rays).subspan(begin, hits.size()),
+                                  std::span(set.excludes).subspan(begin, hits.size()), hits,
+                                  counters, coherence_of(set.kind));
+        return;
+    }
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        hits[i] = closest_hit(scene, set.rays[begin + i], set.excludes[begin + i], counters);
+    }
+}
+
+template <typename T>
+void any(const PreparedScene<T>& scene, const RaySet<T>& set, Ask ask, std::size_t begin,
+         std::span<std::uint8_t> hits) {
+    Counters counters;
+    if (ask == Ask::kBatches) {
+        renderer::any_hits<T>(scene, std::span(set.rays).subspan(begin, hits.size()),
+                              std::span(set.excludes).subspan(begin, hits.size()), hits, counters,
+                              coherence_of(set.kind));
+        return;
+    }
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        hits[i] = any_hit(scene, set.rays[begin + i], set.excludes[begin + i], counters) ? 1 : 0;
+    }
+}
+
+template <typename T>
+std::uint64_t trace(const PreparedScene<T>& scene, const RaySet<T>& set, Ask ask, std::size_t begin,
+                    std::size_t end) {
+    const FpEnvironment environment;
+    std::array<Hit<T>, kBatch> hits;
+    std::array<std::uint8_t, kBatch> flags{};
+    std::uint64_t sum = 0;
+    for (; begin < end; begin += kBatch) {
+        const std::size_t count = std::min(kBatch, end - begin);
+        if (set.kind.any) {
+            any(scene, set, ask, begin, std::span(flags).first(count));
+            for (std::size_t i = 0; i < count; ++i) sum += flags[i];
+        } else {
+            closest(scene, set, ask, begin, std::span(hits).first(count));
+            for (std::size_t i = 0; i < count; ++i) sum += hits[i] ? 1 : 0;
         }
     }
-    return hits;
+    return sum;
 }
 
 template <typename T>
@@ -53,6 +96,21 @@ bool same_hit(const Hit<T>& a, const Hit<T>& b) {
     if (!a && !b) return true;
     return a.object == b.object && a.face == b.face && same_bits(a.t, b.t) && same_bits(a.u, b.u) &&
            same_bits(a.v, b.v);
+}
+
+template <typename T>
+void complain(const RaySet<T>& rays, std::size_t i, const InstructionSet& set, Ask ask,
+              const Hit<T>& got) {
+    const auto text = [](const Hit<T>& hit) {
+        return fmt::format("object {} face {} t {} u {} v {}",
+                           static_cast<std::int32_t>(hit.object.value), hit.face, hit.t, hit.u,
+                           hit.v);
+    };
+    const Hit<T>& want = rays.expected[i];
+    fmt::print(stderr, "bench_rays: {} ray {} by {}{}: {}, the reference: {}\n", rays.kind.name, i,
+               set.name, ask == Ask::kBatches ? " in batches" : "",
+               rays.kind.any ? (want ? "no hit" : "a hit") : text(got),
+               rays.kind.any ? (want ? "a hit" : "no hit") : text(want));
 }
 
 template <typename T>
@@ -85,16 +143,17 @@ void use_instruction_set(const InstructionSet& set) {
 template <typename T>
 std::vector<Contestant> cobble_contestants(const PreparedScene<T>& reference,
                                            const PreparedScene<T>& fast, const RaySet<T>& rays) {
-    const auto single = [&rays](const PreparedScene<T>& scene) {
-        return [&scene, &rays](std::size_t begin, std::size_t end) {
-            return trace_single(scene, rays, begin, end);
+    const auto way = [&rays](const PreparedScene<T>& scene, Ask ask) {
+        return [&scene, &rays, ask](std::size_t begin, std::size_t end) {
+            return trace(scene, rays, ask, begin, end);
         };
     };
     std::vector<Contestant> contestants;
-    contestants.push_back({"cobble-reference", 1, {}, single(reference)});
+    contestants.push_back({"cobble-reference", 1, {}, way(reference, Ask::kSingle)});
     for (const InstructionSet& set : instruction_sets()) {
         const auto choose = [&set] { use_instruction_set(set); };
-        contestants.push_back({"cobble-" + set.name, 1, choose, single(fast)});
+        contestants.push_back({"cobble-" + set.name, 1, choose, way(fast, Ask::kSingle)});
+        contestants.push_back({"cobble-batch-" + set.name, 1, choose, way(fast, Ask::kBatches)});
     }
     return contestants;
 }
@@ -102,32 +161,26 @@ std::vector<Contestant> cobble_contestants(const PreparedScene<T>& reference,
 template <typename T>
 std::uint64_t count_differences(const PreparedScene<T>& fast, const RaySet<T>& rays) {
     const FpEnvironment environment;
+    const std::size_t count = rays.rays.size();
     std::uint64_t sum = 0;
     for (const InstructionSet& set : instruction_sets()) {
         use_instruction_set(set);
-        Counters counters;
-        std::uint64_t here = 0;
-        for (std::size_t i = 0; i < rays.queries.size(); ++i) {
-            const RayQuery<T>& q = rays.queries[i];
-            const Hit<T>& want = rays.expected[i];
-            Hit<T> got;
-            bool same = false;
+        for (const Ask ask : {Ask::kSingle, Ask::kBatches}) {
+            std::vector<Hit<T>> hits(count);
+            std::vector<std::uint8_t> flags(count);
             if (rays.kind.any) {
-                same = any_hit(fast, q.ray, q.exclude, counters) == want.object.valid();
+                any(fast, rays, ask, 0, std::span(flags));
             } else {
-                got = closest_hit(fast, q.ray, q.exclude, counters);
-                same = same_hit(got, want);
+                closest(fast, rays, ask, 0, std::span(hits));
             }
-            if (same) continue;
-            if (here++ > 0) continue;
-            fmt::print(stderr,
-                       "bench_rays: {} ray {} by {}: object {} face {} t {} u {} v {}, the "
-                       "reference: object {} face {} t {} u {} v {}\n",
-                       rays.kind.name, i, set.name, static_cast<std::int32_t>(got.object.value),
-                       got.face, got.t, got.u, got.v, static_cast<std::int32_t>(want.object.value),
-                       want.face, want.t, want.u, want.v);
+            std::uint64_t here = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const bool same = rays.kind.any ? (flags[i] != 0) == rays.expected[i].object.valid()
+                                                : same_hit(hits[i], rays.expected[i]);
+                if (!same && here++ == 0) complain(rays, i, set, ask, hits[i]);
+            }
+            sum += here;
         }
-        sum += here;
     }
     use_instruction_set(instruction_sets()[0]);
     return sum;

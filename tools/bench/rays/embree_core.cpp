@@ -60,10 +60,10 @@ struct Packets {
     std::size_t count = 0;
 
     template <typename T>
-    explicit Packets(const RaySet<T>& set) : count(set.queries.size()) {
+    explicit Packets(const RaySet<T>& set) : count(set.rays.size()) {
         rays.resize((count + N - 1) / N);
         for (std::size_t i = 0; i < rays.size() * N; ++i) {
-            const auto& ray = set.queries[i < count ? i : count - 1].ray;
+            const auto& ray = set.rays[i < count ? i : count - 1];
             // A packet is N floats for each field, in the order of RTCRay's own.
             const float fields[12] = {static_cast<float>(ray.origin.x),
                                       static_cast<float>(ray.origin.y),

@@ -54,30 +54,36 @@ std::vector<RaySet<T>> make_ray_sets(const renderer::PreparedScene<T>& reference
     renderer::Counters counters;
     Random random(7);
     for (const Pixel& pixel : pixels_by_tiles(size)) {
-        RayQuery<T> q;
-        q.ray.origin = reference.to_local(eye);
-        q.ray.direction = direction_of(input.scene.camera, size, pixel).template to<T>();
-        sets[0].queries.push_back(q);
-        const auto hit = closest_hit(reference, q.ray, q.exclude, counters);
+        renderer::Ray<T> ray;
+        ray.origin = reference.to_local(eye);
+        ray.direction = direction_of(input.scene.camera, size, pixel).template to<T>();
+        sets[0].rays.push_back(ray);
+        sets[0].excludes.emplace_back();
+        const auto hit = closest_hit(reference, ray, {}, counters);
         sets[0].expected.push_back(hit);
         const Vec3d ball = random.direction();
         if (!hit) continue;
-        const auto surface = surface_at(reference, q.ray, hit);
+        const auto surface = surface_at(reference, ray, hit);
         const auto to_light = leave_toward(surface, reference.to_local(light), T(0));
-        sets[1].queries.push_back({to_light.ray, to_light.exclude});
+        sets[1].rays.push_back(to_light.ray);
+        sets[1].excludes.push_back(to_light.exclude);
         // The normal toward the viewer, plus a point of the unit sphere: Lambert's cosine.
         auto normal = surface.geometric_normal.template to<double>();
-        if (dot(normal, q.ray.direction.template to<double>()) > 0) normal = -normal;
+        if (dot(normal, ray.direction.template to<double>()) > 0) normal = -normal;
         const auto away = leave(surface, normalize(normal + ball).template to<T>(), T(0));
-        sets[2].queries.push_back({away.ray, away.exclude});
+        sets[2].rays.push_back(away.ray);
+        sets[2].excludes.push_back(away.exclude);
     }
-    sets[3].queries = sets[2].queries;
+    sets[3].rays = sets[2].rays;
+    sets[3].excludes = sets[2].excludes;
     for (std::size_t i = 1; i < sets.size(); ++i) {
-        for (const RayQuery<T>& q : sets[i].queries) {
+        for (std::size_t k = 0; k < sets[i].rays.size(); ++k) {
+            const renderer::Ray<T>& ray = sets[i].rays[k];
+            const renderer::Exclude& exclude = sets[i].excludes[k];
             renderer::Hit<T> hit;
             if (!sets[i].kind.any) {
-                hit = closest_hit(reference, q.ray, q.exclude, counters);
-            } else if (any_hit(reference, q.ray, q.exclude, counters)) {
+                hit = closest_hit(reference, ray, exclude, counters);
+            } else if (any_hit(reference, ray, exclude, counters)) {
                 hit.object = ir::ObjectId{0};
             }
             sets[i].expected.push_back(hit);

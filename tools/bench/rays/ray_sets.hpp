@@ -27,18 +27,13 @@ inline constexpr std::array<RayKind, 4> kRayKinds{{
     {"bounce-any", "the same rays, any hit", true, false},
 }};
 
-template <typename T>
-struct RayQuery {
-    renderer::Ray<T> ray;
-    renderer::Exclude exclude;
-};
-
 /// Pixels go by tiles of 8 x 8 and within them along Morton's curve, so that 8 rays in a row come
 /// from 4 x 2 pixels and 16 from 4 x 4. The other kinds keep that order of their starts.
 template <typename T>
 struct RaySet {
     RayKind kind;
-    std::vector<RayQuery<T>> queries;
+    std::vector<renderer::Ray<T>> rays;
+    std::vector<renderer::Exclude> excludes;
     std::vector<renderer::Hit<T>> expected;  ///< an any hit: only whether it is valid
 };
 

@@ -171,10 +171,10 @@ std::uint64_t run_input(const Input& input, const Choice& choice, Report& report
         const EmbreeScene quick(input.for_peers(), reference.origin, false, 2);
 #endif
         for (const RaySet<T>& rays : make_ray_sets(reference, input, choice.size)) {
-            if (!has_kind(choice, rays.kind.name) || rays.queries.empty()) continue;
+            if (!has_kind(choice, rays.kind.name) || rays.rays.empty()) continue;
             KindResult result;
             result.kind = rays.kind.name;
-            result.rays = rays.queries.size();
+            result.rays = rays.rays.size();
             const auto hits = std::count_if(rays.expected.begin(), rays.expected.end(),
                                             [](const auto& hit) { return bool(hit); });
             result.hit_share = static_cast<double>(hits) / static_cast<double>(result.rays);
