@@ -195,13 +195,17 @@ class BinaryBuilder {
     std::vector<Task> tasks_;
 };
 
+/// Which binary nodes become the slots of which wide node: the cheapest of all ways, by dynamic
+/// programming from the leaves up (Ylitie, Karras and Laine, Efficient Incoherent Ray Traversal on
+/// GPUs Through Compressed Wide BVHs, 2017, section 4).
 template <typename T>
 class Collapse {
   public:
     Collapse(const std::vector<BinaryNode<T>>& binary, const std::vector<BuildItem<T>>& items)
-        : binary_(binary), items_(items) {}
+        : binary_(binary), items_(items), plans_(binary.size()) {}
 
     WideBuild<T> run() {
+        for (std::size_t i = binary_.size(); i > 0; --i) plan(i - 1);
         out_.bounds = binary_[0].bounds;
         out_.nodes.resize(1);
         pending_ = {{0, 0}};
@@ -218,25 +222,79 @@ class Collapse {
         std::uint32_t wide, binary;
     };
     static constexpr std::size_t kWidth = WideNode<T>::kWidth;
+    /// Visiting a node against testing a leaf; what empty slots cost in memory is in it.
+    static constexpr float kNodeCost = 1.5F;
 
-    void fill(const Pending& at) {
-        std::array<std::uint32_t, kWidth> children{at.binary};
-        std::size_t count = 1;
-        // Opens the child with the largest surface until all slots are taken.
-        while (count < kWidth) {
-            std::size_t widest = count;
-            double area = -1;
-            for (std::size_t i = 0; i < count; ++i) {
-                const auto& child = binary_[children[i]];
-                if (!child.leaf() && half_area(child.bounds) > area) {
-                    area = half_area(child.bounds);
-                    widest = i;
+    /// For a subtree that is given 1 to 8 slots: what it costs at best, and how many of the slots
+    /// its left half takes (0: it takes fewer slots than given; for one slot: it is one).
+    struct Plan {
+        std::array<float, kWidth> cost;
+        std::array<std::uint8_t, kWidth> left;
+        std::uint8_t split;  ///< of the 8 slots of its own node
+    };
+
+    void plan(std::size_t at) {
+        const BinaryNode<T>& node = binary_[at];
+        Plan& own = plans_[at];
+        const auto area = static_cast<float>(half_area(node.bounds));
+        own.left = {};
+        own.split = 0;
+        if (node.leaf()) {
+            own.cost.fill(area);
+            return;
+        }
+        const Plan& left = plans_[node.left];
+        const Plan& right = plans_[node.left + 1];
+        for (std::size_t slots_given = 2; slots_given <= kWidth; ++slots_given) {
+            float best = std::numeric_limits<float>::infinity();
+            for (std::size_t k = 1; k < slots_given; ++k) {
+                const float cost = left.cost[k - 1] + right.cost[slots_given - k - 1];
+                if (cost < best || own.left[slots_given - 1] == 0) {
+                    best = cost;
+                    own.left[slots_given - 1] = static_cast<std::uint8_t>(k);
                 }
             }
-            if (widest == count) break;
-            const auto left = binary_[children[widest]].left;
-            children[widest] = left;
-            children[count++] = left + 1;
+            own.cost[slots_given - 1] = best;
+        }
+        own.split = own.left[kWidth - 1];
+        own.cost[0] = own.cost[kWidth - 1] + area * kNodeCost;
+        for (std::size_t i = 1; i < kWidth; ++i) {
+            if (own.cost[i - 1] <= own.cost[i]) {
+                own.cost[i] = own.cost[i - 1];
+                own.left[i] = 0;
+            }
+        }
+    }
+
+    struct Share {
+        std::uint32_t binary;
+        std::size_t slots;
+    };
+
+    void fill(const Pending& at) {
+        std::array<std::uint32_t, kWidth> children{};
+        std::size_t count = 0;
+        // At most one share waits for each slot.
+        std::array<Share, kWidth> shares;
+        std::size_t waiting = 0;
+        const auto halve = [&](std::uint32_t node, std::size_t to_left, std::size_t of) {
+            shares[waiting++] = {binary_[node].left + 1, of - to_left};
+            shares[waiting++] = {binary_[node].left, to_left};
+        };
+        if (binary_[at.binary].leaf()) {
+            children[count++] = at.binary;
+        } else {
+            halve(at.binary, plans_[at.binary].split, kWidth);
+        }
+        while (waiting > 0) {
+            Share share = shares[--waiting];
+            const Plan& plan = plans_[share.binary];
+            while (share.slots > 1 && plan.left[share.slots - 1] == 0) --share.slots;
+            if (share.slots == 1) {
+                children[count++] = share.binary;
+            } else {
+                halve(share.binary, plan.left[share.slots - 1], share.slots);
+            }
         }
         WideNode<T> node;
         const BoxBounds<T> empty;
@@ -246,7 +304,7 @@ class Collapse {
                 node.bounds[axis][i] = b.lo[axis];
                 node.bounds[3 + axis][i] = b.hi[axis];
             }
-            if (i < count) node.child[i] = slot(children[i]);
+            node.child[i] = i < count ? slot(children[i]) : ChildRef::inner(0);
         }
         out_.nodes[at.wide] = node;
     }
@@ -273,6 +331,7 @@ class Collapse {
 
     const std::vector<BinaryNode<T>>& binary_;
     const std::vector<BuildItem<T>>& items_;
+    std::vector<Plan> plans_;
     WideBuild<T> out_;
     std::vector<Pending> pending_;
 };

@@ -33,10 +33,11 @@ class ChildRef {
     }
     [[nodiscard]] constexpr std::uint32_t count() const { return (bits_ >> 27 & 3) + 1; }
     [[nodiscard]] constexpr std::uint32_t index() const { return bits_ & kMostIndex; }
+    [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
 
   private:
     explicit constexpr ChildRef(std::uint32_t bits) : bits_(bits) {}
-    std::uint32_t bits_ = 0;
+    std::uint32_t bits_;  // no value of its own: stacks of hundreds are made for each ray
 };
 static_assert(kPrimitiveKinds < 8);
 

@@ -122,9 +122,7 @@ Hit<T> run(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& excl
     // Planes first: what they hide need not be looked for.
     for (const MovingPrimitive& plane : g.planes) test_plane(g, forms, plane, search);
     if (!stop()) {
-        if constexpr (kBy == Acceleration::kFast) {
-            search_wide(g, forms, search, kAny);
-        } else if constexpr (kBy == Acceleration::kBvh) {
+        if constexpr (kBy == Acceleration::kBvh) {
             search_tree(g, forms, search, stop);
         } else {
             search_everything(g, forms, search, stop);
@@ -134,6 +132,14 @@ Hit<T> run(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& excl
     return search.best;
 }
 
+template <typename T>
+Hit<T> fast_hit(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& exclude, bool any,
+                Counters& counters) {
+    Hit<T> hit;
+    search_wide(WideQuery<T>{&scene.geometry, &ray, &exclude, 1, any, false}, &hit, counters);
+    return hit;
+}
+
 }  // namespace
 
 template <typename T>
@@ -141,7 +147,7 @@ Hit<T> closest_hit(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclu
                    Counters& counters) {
     switch (scene.options.acceleration) {
         case Acceleration::kFast:
-            return run<false, Acceleration::kFast>(scene, ray, exclude, counters);
+            return fast_hit(scene, ray, exclude, false, counters);
         case Acceleration::kBvh:
             return run<false, Acceleration::kBvh>(scene, ray, exclude, counters);
         case Acceleration::kBruteForce:
@@ -155,7 +161,7 @@ bool any_hit(const PreparedScene<T>& scene, const Ray<T>& ray, const Exclude& ex
              Counters& counters) {
     switch (scene.options.acceleration) {
         case Acceleration::kFast:
-            return run<true, Acceleration::kFast>(scene, ray, exclude, counters).object.valid();
+            return fast_hit(scene, ray, exclude, true, counters).object.valid();
         case Acceleration::kBvh:
             return run<true, Acceleration::kBvh>(scene, ray, exclude, counters).object.valid();
         case Acceleration::kBruteForce:

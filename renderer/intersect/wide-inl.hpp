@@ -49,7 +49,7 @@ template <class D>
 HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0];
+    return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
 /// A bit for each slot whose box the ray meets in [t_min, t_best], and where it begins to. The
@@ -90,23 +90,30 @@ HWY_INLINE std::uint32_t node_hits(const WideNode<T>& node, const RaySlabs<T>& r
     return bits;
 }
 
-/// The lanes of a block that may hold a better hit: all but those that the edge functions or the
-/// triangle's own box surely rule out.
+/// What the edge functions and the triangle's own box leave open of a block.
+template <typename T>
+struct BlockHits {
+    std::uint32_t open = 0;  ///< lanes that may hold a better hit: all others surely do not
+    std::uint32_t inside =
+        0;  ///< those of them that the line surely meets, between t_min and t_max
+    alignas(32) T points[3][2][kBlockLanes];  ///< of the open ones: corner, sheared x and y
+};
+
 template <bool kParallel, typename T>
-HWY_INLINE std::uint32_t triangle_candidates(const TriangleBlock<T>& block, const RayForms<T>& ray,
-                                             T t_min, T t_best) {
+HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray, T t_min, T t_best,
+                           BlockHits<T>& hits) {
     using D = hn::CappedTag<T, kBlockLanes>;
     const D d;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
     const RayShear<T>& s = ray.shear;
     const auto least = hn::Set(d, detail::kEdgeThreshold<T>);
     const auto most = hn::Set(d, std::numeric_limits<T>::max());
+    const auto zero = hn::Zero(d);
     const auto sx = hn::Set(d, s.sx);
     const auto sy = hn::Set(d, s.sy);
     const auto ox = hn::Set(d, s.origin[s.kx]);
     const auto oy = hn::Set(d, s.origin[s.ky]);
     const auto oz = hn::Set(d, s.origin[s.kz]);
-    std::uint32_t bits = 0;
     for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
         const auto corner = [&](std::size_t i, std::size_t axis)
                                 HWY_ATTR { return hn::Load(d, block.vertices[i][axis] + part); };
@@ -129,14 +136,13 @@ HWY_INLINE std::uint32_t triangle_candidates(const TriangleBlock<T>& block, cons
         const auto sure =
             hn::And(hn::And(hn::Ge(au, least), hn::Ge(av, least)),
                     hn::And(hn::Ge(aw, least), hn::Le(hn::Add(hn::Add(au, av), aw), most)));
-        const auto zero = hn::Zero(d);
         const auto below = hn::Or(hn::Or(hn::Lt(u, zero), hn::Lt(v, zero)), hn::Lt(w, zero));
         const auto above = hn::Or(hn::Or(hn::Gt(u, zero), hn::Gt(v, zero)), hn::Gt(w, zero));
         auto open = hn::Not(hn::And(sure, hn::And(below, above)));
-        if (hn::AllFalse(d, open)) continue;
+        if (HWY_LIKELY(hn::AllFalse(d, open))) continue;
 
-        auto near = hn::Set(d, t_min);
-        auto far = hn::Set(d, t_best);
+        auto near = hn::Set(d, std::numeric_limits<T>::lowest());
+        auto far = most;
         for (std::size_t a = 0; a < 3; ++a) {
             const auto lo = hn::Min(hn::Min(corner(0, a), corner(1, a)), corner(2, a));
             const auto hi = hn::Max(hn::Max(corner(0, a), corner(1, a)), corner(2, a));
@@ -153,9 +159,22 @@ HWY_INLINE std::uint32_t triangle_candidates(const TriangleBlock<T>& block, cons
             far = hn::Min(
                 far, hn::Mul(hn::Sub(negative ? lo : hi, o), hn::Set(d, ray.slabs.inverse_far[a])));
         }
-        bits |= bits_of(d, hn::And(open, hn::Le(near, far))) << part;
+        const auto min = hn::Set(d, t_min);
+        const auto best = hn::Set(d, t_best);
+        open = hn::And(hn::And(open, hn::Le(near, far)),
+                       hn::And(hn::Gt(far, min), hn::Le(near, best)));
+        if (hn::AllFalse(d, open)) continue;
+        hits.open |= bits_of(d, open) << part;
+        hits.inside |=
+            bits_of(d, hn::And(hn::And(open, sure), hn::And(hn::Gt(near, min), hn::Lt(far, best))))
+            << part;
+        hn::Store(ax, d, hits.points[0][0] + part);
+        hn::Store(ay, d, hits.points[0][1] + part);
+        hn::Store(bx, d, hits.points[1][0] + part);
+        hn::Store(by, d, hits.points[1][1] + part);
+        hn::Store(cx, d, hits.points[2][0] + part);
+        hn::Store(cy, d, hits.points[2][1] + part);
     }
-    return bits;
 }
 
 template <typename T>
@@ -164,10 +183,32 @@ struct WaitingChild {
     ChildRef child;
 };
 
-/// Walks one tree; `leaf(child, node, slot)` is asked for each leaf that may hold a better hit.
+/// The slots that are boxes of the scene.
+template <typename T>
+HWY_INLINE std::uint32_t box_slots(const WideNode<T>& node) {
+    using D = hn::CappedTag<std::uint32_t, WideNode<T>::kWidth>;
+    const D d;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const auto box = hn::Set(d, ChildRef::leaf(PrimitiveKind::kBox, 0, 1).bits() >> 29);
+    std::uint32_t bits = 0;
+    for (std::size_t part = 0; part < WideNode<T>::kWidth; part += kLanes) {
+        const auto child = hn::Load(d, reinterpret_cast<const std::uint32_t*>(node.child) + part);
+        bits |= bits_of(d, hn::Eq(hn::ShiftRight<29>(child), box)) << part;
+    }
+    return bits;
+}
+
+template <typename T>
+BoxBounds<T> slot_bounds(const WideNode<T>& node, std::size_t slot) {
+    return {{node.bounds[0][slot], node.bounds[1][slot], node.bounds[2][slot]},
+            {node.bounds[3][slot], node.bounds[4][slot], node.bounds[5][slot]}};
+}
+
+/// Walks one tree; `leaf(child)` is asked for each leaf that may hold a better hit. A slot that is
+/// a box of the scene is tested at once: `boxes` says whose it is, or is null if there are none.
 template <bool kAny, bool kParallel, typename T, typename Leaf>
-HWY_INLINE void walk_wide(const WideTree<T>& tree, const RayForms<T>& ray, Search<T>& search,
-                          Leaf leaf) {
+HWY_INLINE void walk_wide(const WideTree<T>& tree, const ir::ObjectId* boxes,
+                          const RayForms<T>& ray, Search<T>& search, Leaf leaf) {
     if (tree.nodes.empty()) return;
     constexpr std::size_t kWidth = WideNode<T>::kWidth;
     const SlabLanes<T> lanes(ray.slabs);
@@ -183,20 +224,47 @@ HWY_INLINE void walk_wide(const WideTree<T>& tree, const RayForms<T>& ray, Searc
             alignas(64) T begins[kWidth];
             std::uint32_t bits =
                 node_hits<kParallel>(node, ray.slabs, lanes, search.t_min, search.best.t, begins);
+            if (boxes != nullptr && bits != 0) {
+                std::uint32_t own = bits & box_slots(node);
+                bits &= ~own;
+                while (own != 0) {
+                    const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(own);
+                    own &= own - 1;
+                    test_box(ray, slot_bounds(node, slot), boxes[node.child[slot].index()], search);
+                    if (kAny && search.best.object.valid()) {
+                        search.box_tests += steps * kWidth;
+                        return;
+                    }
+                }
+            }
             if (bits != 0) {
                 const auto first = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                 bits &= bits - 1;
-                if (bits == 0) {
-                    at = node.child[first];
+                at = node.child[first];
+                if (bits == 0) continue;
+                if constexpr (kAny) {
+                    // Any order will do: what is farther than the end has been left out already.
+                    do {
+                        const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+                        bits &= bits - 1;
+                        *top++ = {search.t_min, node.child[slot]};
+                    } while (bits != 0);
                     continue;
                 }
-                WaitingChild<T> nearest{begins[first], node.child[first]};
+                const auto second = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+                bits &= bits - 1;
+                const bool swapped = begins[second] < begins[first];
+                const WaitingChild<T> pair[2] = {{begins[first], at},
+                                                 {begins[second], node.child[second]}};
+                at = pair[swapped ? 1 : 0].child;
                 WaitingChild<T>* const base = top;
+                *top++ = pair[swapped ? 0 : 1];
+                if (bits == 0) continue;
+                *top++ = pair[swapped ? 1 : 0];
                 do {
                     const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                     bits &= bits - 1;
-                    WaitingChild<T> next{begins[slot], node.child[slot]};
-                    if (next.near < nearest.near) std::swap(next, nearest);
+                    const WaitingChild<T> next{begins[slot], node.child[slot]};
                     // The farthest first, so that the nearest is taken next.
                     WaitingChild<T>* place = top++;
                     while (place > base && place[-1].near < next.near) {
@@ -205,7 +273,7 @@ HWY_INLINE void walk_wide(const WideTree<T>& tree, const RayForms<T>& ray, Searc
                     }
                     *place = next;
                 } while (bits != 0);
-                at = nearest.child;
+                at = (--top)->child;
                 continue;
             }
         } else {
@@ -227,31 +295,60 @@ HWY_INLINE void walk_wide(const WideTree<T>& tree, const RayForms<T>& ray, Searc
     search.box_tests += steps * kWidth;
 }
 
+/// One open lane, as intersect_triangle() and test_triangle() go on with it.
+template <typename T>
+HWY_NOINLINE void offer_lane(const TriangleBlock<T>& block, std::size_t lane,
+                             const BlockHits<T>& hits, ir::ObjectId object, std::uint32_t face,
+                             const RayForms<T>& ray, Search<T>& search) {
+    std::array<math::Vec3<T>, 3> vertices;
+    std::array<detail::ShearedPoint<T>, 3> points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        vertices[i] = {block.vertices[i][0][lane], block.vertices[i][1][lane],
+                       block.vertices[i][2][lane]};
+        points[i] = {hits.points[i][0][lane], hits.points[i][1][lane]};
+    }
+    const auto hit = detail::triangle_in_wide(ray.shear, vertices, points, search.rule);
+    if (!hit) return;
+    const Span<T> span = slab_span(ray.slabs, bounds_of(vertices));
+    search.offer(clamp_to(span, hit->t), object, face, hit->u, hit->v);
+}
+
+/// Any hit that is sure needs no t: its place in the order is not asked.
 template <bool kAny, bool kParallel, typename T>
 HWY_INLINE void test_block(const TriangleBlock<T>& block, std::uint32_t count, ir::ObjectId placed,
                            const RayForms<T>& ray, Search<T>& search) {
-    std::uint32_t bits = triangle_candidates<kParallel>(block, ray, search.t_min, search.best.t) &
-                         ((1U << count) - 1);
     search.primitive_tests += count;
+    BlockHits<T> hits;
+    test_edges<kParallel>(block, ray, search.t_min, search.best.t, hits);
+    std::uint32_t bits = hits.open & ((1U << count) - 1);
     while (bits != 0) {
         const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
         bits &= bits - 1;
-        std::array<math::Vec3<T>, 3> vertices;
-        for (std::size_t i = 0; i < 3; ++i) {
-            vertices[i] = {block.vertices[i][0][lane], block.vertices[i][1][lane],
-                           block.vertices[i][2][lane]};
-        }
         const ir::ObjectId object = placed.valid() ? placed : block.object[lane];
-        test_triangle(ray, vertices, object, block.face[lane], search);
+        const std::uint32_t face = block.face[lane];
+        if (object == search.exclude.object && face == search.exclude.face) continue;
+        if constexpr (kAny) {
+            if ((hits.inside >> lane & 1) != 0 && search.instance_near < search.best.t) {
+                search.best.object = object;
+                return;
+            }
+        }
+        offer_lane(block, lane, hits, object, face, ray, search);
+        if constexpr (kAny) {
+            if (search.best.object.valid()) return;
+        }
     }
 }
 
 template <bool kAny, bool kParallel, typename T>
 HWY_INLINE void search_mesh(const WideTree<T>& tree, const RayForms<T>& ray, ir::ObjectId object,
                             Search<T>& search) {
-    walk_wide<kAny, kParallel>(tree, ray, search, [&](ChildRef at) HWY_ATTR {
-        test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), object, ray, search);
-    });
+    walk_wide<kAny, kParallel>(
+        tree, static_cast<const ir::ObjectId*>(nullptr), ray,
+        search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
+            test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), object, ray,
+                                        search);
+        });
 }
 
 template <bool kAny, typename T>
@@ -264,10 +361,59 @@ HWY_NOINLINE void search_placed_mesh(const WideTree<T>& tree, const RayForms<T>&
     }
 }
 
+/// The lanes that the line of the ray meets: the discriminant of intersect_sphere(), bit for bit.
+HWY_INLINE std::uint32_t met_spheres(const SphereBlock<float>& block, const RayForms<float>& ray) {
+    using D = hn::CappedTag<double, kBlockLanes>;
+    const D d;
+    const hn::Rebind<float, D> df;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const math::Vec3d along = widen(ray.shear.direction);
+    const auto dx = hn::Set(d, along.x);
+    const auto dy = hn::Set(d, along.y);
+    const auto dz = hn::Set(d, along.z);
+    const auto a = hn::Set(d, dot(along, along));
+    const auto zero = hn::Zero(d);
+    const auto dot_of = [&](auto x0, auto y0, auto z0, auto x1, auto y1, auto z1) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(x0, x1), hn::Mul(y0, y1)), hn::Mul(z0, z1));
+    };
+    std::uint32_t bits = 0;
+    for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
+        const auto relative = [&](std::size_t axis) HWY_ATTR {
+            return hn::Sub(hn::Set(d, double{ray.shear.origin[axis]}),
+                           hn::PromoteTo(d, hn::Load(df, block.center[axis] + part)));
+        };
+        const auto fx = relative(0);
+        const auto fy = relative(1);
+        const auto fz = relative(2);
+        const auto r = hn::PromoteTo(d, hn::Load(df, block.radius + part));
+        const auto b = hn::Sub(zero, dot_of(fx, fy, fz, dx, dy, dz));
+        const auto q = hn::Div(b, a);
+        const auto lx = hn::Add(fx, hn::Mul(dx, q));
+        const auto ly = hn::Add(fy, hn::Mul(dy, q));
+        const auto lz = hn::Add(fz, hn::Mul(dz, q));
+        const auto rest = hn::Sub(hn::Mul(r, r), dot_of(lx, ly, lz, lx, ly, lz));
+        bits |= bits_of(d, hn::Ge(rest, zero)) << part;
+    }
+    return bits;
+}
+
+/// A leaf of anything but triangles and boxes.
 template <bool kAny, typename T>
-HWY_NOINLINE void test_rare(const Geometry<T>& g, ChildRef at, const RayForms<T>& ray,
-                            Search<T>& search) {
+HWY_INLINE void test_leaf(const Geometry<T>& g, ChildRef at, const RayForms<T>& ray,
+                          Search<T>& search) {
     switch (at.kind()) {
+        case PrimitiveKind::kSphere: {
+            const SphereBlock<T>& block = g.wide.spheres[at.index()];
+            std::uint32_t bits = (1U << at.count()) - 1;
+            if constexpr (sizeof(T) == sizeof(float)) bits &= met_spheres(block, ray);
+            while (bits != 0) {
+                const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+                bits &= bits - 1;
+                test_sphere(ray, {block.center[0][i], block.center[1][i], block.center[2][i]},
+                            block.radius[i], block.object[i], search);
+            }
+            break;
+        }
         case PrimitiveKind::kMovingTriangle:
             test_moving_triangle(g, ray, g.moving_triangles[at.index()], search);
             break;
@@ -283,7 +429,6 @@ HWY_NOINLINE void test_rare(const Geometry<T>& g, ChildRef at, const RayForms<T>
             break;
         }
         case PrimitiveKind::kTriangle:
-        case PrimitiveKind::kSphere:
         case PrimitiveKind::kBox:
             break;
     }
@@ -292,52 +437,41 @@ HWY_NOINLINE void test_rare(const Geometry<T>& g, ChildRef at, const RayForms<T>
 template <bool kAny, bool kParallel, typename T>
 HWY_INLINE void search_world(const Geometry<T>& g, const RayForms<T>& ray, Search<T>& search) {
     const WideTree<T>& tree = g.wide;
-    walk_wide<kAny, kParallel>(tree, ray, search, [&](ChildRef at) HWY_ATTR {
-        switch (at.kind()) {
-            case PrimitiveKind::kTriangle:
+    walk_wide<kAny, kParallel>(
+        tree, g.box_objects.empty() ? nullptr : g.box_objects.data(), ray,
+        search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
+            if (HWY_LIKELY(at.kind() == PrimitiveKind::kTriangle)) {
                 test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), {}, ray,
                                             search);
-                break;
-            case PrimitiveKind::kSphere: {
-                const SphereBlock<T>& block = tree.spheres[at.index()];
-                for (std::uint32_t i = 0; i < at.count(); ++i) {
-                    test_sphere(ray, {block.center[0][i], block.center[1][i], block.center[2][i]},
-                                block.radius[i], block.object[i], search);
-                }
-                break;
+            } else {
+                test_leaf<kAny>(g, at, ray, search);
             }
-            case PrimitiveKind::kBox:
-                test_box(ray, g.boxes[at.index()].bounds, g.boxes[at.index()].object, search);
-                break;
-            default:
-                test_rare<kAny>(g, at, ray, search);
-        }
-    });
+        });
 }
 
 template <typename T>
-void search_any_way(const Geometry<T>& g, const RayForms<T>& ray, Search<T>& search, bool any) {
-    const bool parallel = ray.slabs.any_parallel;
-    if (any) {
-        if (parallel) {
-            search_world<true, true>(g, ray, search);
-        } else {
-            search_world<true, false>(g, ray, search);
-        }
-    } else if (parallel) {
-        search_world<false, true>(g, ray, search);
-    } else {
-        search_world<false, false>(g, ray, search);
-    }
+Search<T> begin_search(const Ray<T>& ray, const Exclude& exclude) {
+    Search<T> search;
+    constexpr T kMost = std::numeric_limits<T>::max();
+    search.best.t = ray.t_max < kMost ? ray.t_max : kMost;
+    search.t_min = ray.t_min;
+    search.time = ray.time;
+    search.exclude = exclude;
+    return search;
 }
 
-void search_wide_float(const Geometry<float>& g, const RayForms<float>& ray, Search<float>& search,
-                       bool any) {
-    search_any_way(g, ray, search, any);
-}
-void search_wide_double(const Geometry<double>& g, const RayForms<double>& ray,
-                        Search<double>& search, bool any) {
-    search_any_way(g, ray, search, any);
+template <bool kAny, typename T>
+HWY_INLINE Search<T> search_one(const Geometry<T>& g, const Ray<T>& ray, const Exclude& exclude) {
+    Search<T> search = begin_search(ray, exclude);
+    const RayForms<T> forms(ray.origin, ray.direction);
+    for (const MovingPrimitive& plane : g.planes) test_plane(g, forms, plane, search);
+    if (kAny && search.best.object.valid()) return search;
+    if (HWY_UNLIKELY(forms.slabs.any_parallel)) {
+        search_world<kAny, true>(g, forms, search);
+    } else {
+        search_world<kAny, false>(g, forms, search);
+    }
+    return search;
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE

@@ -1,25 +1,84 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/intersect/wide.hpp"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/intersect/wide.cpp"
 #include <hwy/foreach_target.h>
 // Behind foreach_target.h, as Highway wants it.
-#include "renderer/intersect/wide-inl.hpp"
+#include "renderer/intersect/packet-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cobble::renderer::HWY_NAMESPACE {
+
+template <bool kAny, typename T>
+void search_singly(const WideQuery<T>& q, std::size_t first, std::size_t count, Hit<T>* hits,
+                   Counters& counters) {
+    for (std::size_t i = first; i < first + count; ++i) {
+        const Search<T> search = search_one<kAny>(*q.geometry, q.rays[i], q.excludes[i]);
+        hits[i] = search.best;
+        counters.box_tests += search.box_tests;
+        counters.primitive_tests += search.primitive_tests;
+    }
+}
+
+template <bool kAny>
+void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& counters) {
+    Packet packet;
+    for (std::size_t first = 0; first < q.count; first += kPacketRays) {
+        const std::size_t count = std::min(kPacketRays, q.count - first);
+        if (count <= kPacketRays / 4 ||
+            !gather(q.rays + first, q.excludes + first, count, packet)) {
+            search_singly<kAny>(q, first, count, hits, counters);
+            continue;
+        }
+        test_planes<kAny>(*q.geometry, packet);
+        walk_packet<kAny>(*q.geometry, packet);
+        for (std::size_t i = 0; i < count; ++i) {
+            hits[first + i] = packet.search[i].best;
+            counters.box_tests += packet.search[i].box_tests;
+            counters.primitive_tests += packet.search[i].primitive_tests;
+        }
+    }
+}
+
+void search_float(const WideQuery<float>& q, Hit<float>* hits, Counters& counters) {
+    if (q.coherent) {
+        if (q.any) {
+            search_packets<true>(q, hits, counters);
+        } else {
+            search_packets<false>(q, hits, counters);
+        }
+    } else if (q.any) {
+        search_singly<true>(q, 0, q.count, hits, counters);
+    } else {
+        search_singly<false>(q, 0, q.count, hits, counters);
+    }
+}
+
+void search_double(const WideQuery<double>& q, Hit<double>* hits, Counters& counters) {
+    if (q.any) {
+        search_singly<true>(q, 0, q.count, hits, counters);
+    } else {
+        search_singly<false>(q, 0, q.count, hits, counters);
+    }
+}
+
+}  // namespace cobble::renderer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cobble::renderer {
 
-HWY_EXPORT(search_wide_float);
-HWY_EXPORT(search_wide_double);
+HWY_EXPORT(search_float);
+HWY_EXPORT(search_double);
 
-void search_wide(const Geometry<float>& geometry, const RayForms<float>& ray, Search<float>& search,
-                 bool any) {
-    HWY_DYNAMIC_DISPATCH(search_wide_float)(geometry, ray, search, any);
+void search_wide(const WideQuery<float>& query, Hit<float>* hits, Counters& counters) {
+    HWY_DYNAMIC_DISPATCH(search_float)(query, hits, counters);
 }
-void search_wide(const Geometry<double>& geometry, const RayForms<double>& ray,
-                 Search<double>& search, bool any) {
-    HWY_DYNAMIC_DISPATCH(search_wide_double)(geometry, ray, search, any);
+void search_wide(const WideQuery<double>& query, Hit<double>* hits, Counters& counters) {
+    HWY_DYNAMIC_DISPATCH(search_double)(query, hits, counters);
 }
 
 }  // namespace cobble::renderer

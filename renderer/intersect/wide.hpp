@@ -3,15 +3,28 @@
 // folder.
 #pragma once
 
+#include <cstddef>
+
 #include "renderer/intersect/query.hpp"
 #include "renderer/scene/geometry.hpp"
+#include "renderer/tile/stats.hpp"
 
 namespace cobble::renderer {
 
-/// Everything but the planes. `any`: ends at the first hit in the interval, whichever it is.
-void search_wide(const Geometry<float>& geometry, const RayForms<float>& ray, Search<float>& search,
-                 bool any);
-void search_wide(const Geometry<double>& geometry, const RayForms<double>& ray,
-                 Search<double>& search, bool any);
+/// `count` rays against a scene prepared for the fast core. With `any` a ray ends at the first hit
+/// in its interval, whichever it is, and only `object` has a meaning. `coherent`: neighbours in the
+/// array go much the same way; a wrong word costs time, never an answer.
+template <typename T>
+struct WideQuery {
+    const Geometry<T>* geometry = nullptr;
+    const Ray<T>* rays = nullptr;
+    const Exclude* excludes = nullptr;
+    std::size_t count = 0;
+    bool any = false;
+    bool coherent = false;
+};
+
+void search_wide(const WideQuery<float>& query, Hit<float>* hits, Counters& counters);
+void search_wide(const WideQuery<double>& query, Hit<double>* hits, Counters& counters);
 
 }  // namespace cobble::renderer

@@ -436,7 +436,7 @@ class Preparation {
         for (const auto& box : g.boxes) g.box_objects.push_back(box.object);
         g.triangles = {};
         g.spheres = {};
-        // boxes are still read by the kernels
+        g.boxes = {};
     }
 
     template <typename U>
