@@ -5,47 +5,21 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include "renderer/job/fp_environment.hpp"
 #include "tests/render/everything.hpp"
+#include "tests/render/same.hpp"
 
 using namespace cobble;
 using namespace cobble::test;
-
-namespace {
-
-renderer::Settings full(std::uint32_t width, std::uint32_t height, std::uint32_t samples) {
-    renderer::Settings s = settings(width, height, samples);
-    s.want_depth = s.want_normals = s.want_albedo = s.want_sample_count = true;
-    s.filter = renderer::PixelFilter::kTent;
-    return s;
-}
-
-bool same(const renderer::Plane32& a, const renderer::Plane32& b) {
-    return a.width == b.width && a.height == b.height && a.values.size() == b.values.size() &&
-           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
-}
-
-bool same(const renderer::Picture& a, const renderer::Picture& b) {
-    return same(a.color, b.color) && same(a.depth, b.depth) && same(a.normals, b.normals) &&
-           same(a.albedo, b.albedo) && same(a.sample_count, b.sample_count);
-}
-
-bool same(const renderer::Counters& a, const renderer::Counters& b) {
-    return a.camera_rays == b.camera_rays && a.shadow_rays == b.shadow_rays &&
-           a.reflected_rays == b.reflected_rays && a.refracted_rays == b.refracted_rays &&
-           a.box_tests == b.box_tests && a.primitive_tests == b.primitive_tests;
-}
-
-}  // namespace
 
 TEST_CASE("threads, tiles and deadlines leave no trace") {
     SceneBuilder b = everything();
     renderer::Settings s = full(50, 37, 6);
     for (const auto precision : {renderer::Precision::kFloat, renderer::Precision::kDouble}) {
         s.precision = precision;
+        s.acceleration = renderer::Acceleration::kBvh;
         s.tile_size = 32;
         const Rendered reference = render(b.scene(), s);
         CHECK(reference.stats.bad_sample_count == 0);
@@ -53,32 +27,44 @@ TEST_CASE("threads, tiles and deadlines leave no trace") {
         for (const std::uint32_t threads : {1U, 2U, 3U, 7U}) {
             for (const std::uint32_t tile : {1U, 8U, 13U, 32U, 128U}) {
                 s.tile_size = tile;
-                const Rendered other = render(b.scene(), s, threads);
                 CAPTURE(threads);
                 CAPTURE(tile);
+                s.acceleration = renderer::Acceleration::kBvh;
+                const Rendered other = render(b.scene(), s, threads);
                 CHECK(same(reference.picture, other.picture));
                 CHECK(same(reference.stats.counters, other.stats.counters));
+                s.acceleration = renderer::Acceleration::kFast;
+                const Rendered fast = render(b.scene(), s, threads);
+                CHECK(same(reference.picture, fast.picture));
+                CHECK(same_rays(reference.stats.counters, fast.stats.counters));
             }
         }
     }
 }
 
 TEST_CASE("deadlines that have always passed leave no trace") {
-    // Each step follows one ray and is stopped: every place where a sample can be put down is one.
+    // Each step follows one ray, or a batch through one stage, and is stopped: every place where a
+    // tile can be put down is one.
     SceneBuilder b = everything();
     renderer::Settings s = full(14, 11, 2);
-    s.tile_size = 5;
-    const Rendered reference = render(b.scene(), s);
-    for (const std::uint32_t threads : {1U, 3U}) {
-        const Rendered hurried = render(b.scene(), s, threads, -1);
-        CHECK(same(reference.picture, hurried.picture));
-        CHECK(same(reference.stats.counters, hurried.stats.counters));
+    for (const auto core : {renderer::Acceleration::kBvh, renderer::Acceleration::kFast}) {
+        s.acceleration = core;
+        for (const std::uint32_t tile : {5U, 11U}) {
+            s.tile_size = tile;
+            const Rendered reference = render(b.scene(), s);
+            for (const std::uint32_t threads : {1U, 3U}) {
+                const Rendered hurried = render(b.scene(), s, threads, -1);
+                CHECK(same(reference.picture, hurried.picture));
+                CHECK(same(reference.stats.counters, hurried.stats.counters));
+            }
+        }
     }
 }
 
 TEST_CASE("brute force and the tree give one picture") {
     SceneBuilder b = everything();
     renderer::Settings s = full(40, 30, 3);
+    s.acceleration = renderer::Acceleration::kBvh;
     const Rendered tree = render(b.scene(), s);
     s.acceleration = renderer::Acceleration::kBruteForce;
     CHECK(same(tree.picture, render(b.scene(), s).picture));

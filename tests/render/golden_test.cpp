@@ -40,7 +40,7 @@ class Hash {
     std::uint64_t state_ = 0xcbf29ce484222325U;
 };
 
-std::string hashes() {
+std::string hashes(renderer::Acceleration core) {
     SceneBuilder b = everything();
     std::ostringstream out;
     for (const bool exact : {false, true}) {
@@ -50,6 +50,7 @@ std::string hashes() {
             renderer::Settings s = settings(48, 36, 4);
             s.precision = exact ? renderer::Precision::kDouble : renderer::Precision::kFloat;
             s.filter = filter;
+            s.acceleration = core;
             s.want_depth = s.want_normals = s.want_albedo = true;
             const Rendered r = render(b.scene(), s);
             Hash hash;
@@ -67,9 +68,10 @@ std::string hashes() {
 
 TEST_CASE("pictures have the bits that are written down") {
     const std::string path = std::string(COBBLE_ROOT) + "/tests/render/golden.expected";
-    const std::string now = hashes();
+    const std::string now = hashes(renderer::Acceleration::kBvh);
     if (std::getenv("COBBLE_UPDATE") != nullptr) std::ofstream(path, std::ios::binary) << now;
     std::ifstream in(path, std::ios::binary);
     const std::string expected{std::istreambuf_iterator<char>(in), {}};
     CHECK(now == expected);
+    CHECK(hashes(renderer::Acceleration::kFast) == expected);
 }
