@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/intersect/batch.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+
+#include "renderer/intersect/wide.hpp"
 
 namespace cobble::renderer {
 
 template <typename T>
 void closest_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
                   std::span<const Exclude> excludes, std::span<Hit<T>> hits, Counters& counters,
-                  Coherence) {
+                  Coherence coherence) {
+    if (scene.options.acceleration == Acceleration::kFast) {
+        search_wide(WideQuery<T>{&scene.geometry, rays.data(), excludes.data(), rays.size(), false,
+                                 coherence == Coherence::kCoherent},
+                    hits.data(), counters);
+        return;
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
         hits[i] = closest_hit(scene, rays[i], excludes[i], counters);
     }
@@ -17,7 +27,19 @@ void closest_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
 template <typename T>
 void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
               std::span<const Exclude> excludes, std::span<std::uint8_t> hit, Counters& counters,
-              Coherence) {
+              Coherence coherence) {
+    if (scene.options.acceleration == Acceleration::kFast) {
+        constexpr std::size_t kPart = 256;
+        std::array<Hit<T>, kPart> part;
+        for (std::size_t first = 0; first < rays.size(); first += kPart) {
+            const std::size_t count = std::min(kPart, rays.size() - first);
+            search_wide(WideQuery<T>{&scene.geometry, rays.data() + first, excludes.data() + first,
+                                     count, true, coherence == Coherence::kCoherent},
+                        part.data(), counters);
+            for (std::size_t i = 0; i < count; ++i) hit[first + i] = part[i].object.valid() ? 1 : 0;
+        }
+        return;
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
         hit[i] = any_hit(scene, rays[i], excludes[i], counters) ? 1 : 0;
     }
