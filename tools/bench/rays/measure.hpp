@@ -40,12 +40,4 @@ struct Effort {
 std::vector<Timing> measure(const std::vector<Contestant>& contestants, std::size_t rays,
                             Effort effort);
 
-/// Of the values in any order; the middle, or the mean of the two that are.
-double median(std::vector<double> values);
-/// The value that `part` (0 to 1) of all are not above.
-double quantile(std::vector<double> values, double part);
-
-/// How many times as fast as `other`: the median over passes of the two neighbours' ratio.
-double speed_ratio(const std::vector<double>& seconds, const std::vector<double>& other);
-
 }  // namespace cobble::bench

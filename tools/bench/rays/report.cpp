@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
+
+#include "tools/bench/machine.hpp"
 
 namespace cobble::bench {
 
@@ -21,24 +21,7 @@ std::string ratio_text(const CoreResult& result, const std::string& other) {
     return "-";
 }
 
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const auto colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "unknown processor";
-}
-
 }  // namespace
-
-std::string load_now() {
-    double load[3] = {};
-    if (getloadavg(load, 3) != 3) return "unknown";
-    return fmt::format("{:.2f} {:.2f} {:.2f}", load[0], load[1], load[2]);
-}
 
 void Report::begin() {
     all_ = {{"processor", processor()},

@@ -46,9 +46,6 @@ struct BuildResult {
     std::optional<double> ratio;  ///< Embree's robust time with as many threads over this
 };
 
-/// The machine's load over one, five and fifteen minutes, as text.
-std::string load_now();
-
 class Report {
   public:
     explicit Report(bool json) : json_(json) {}

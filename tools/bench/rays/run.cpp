@@ -9,6 +9,7 @@
 
 #include "renderer/job/fp_environment.hpp"
 #include "tools/bench/clock.hpp"
+#include "tools/bench/median.hpp"
 #include "tools/bench/rays/cobble_core.hpp"
 #ifdef COBBLE_BENCH_EMBREE
 #include "tools/bench/rays/embree_core.hpp"

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "tools/bench/frames/race.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tools/bench/frames/compare.hpp"
+#include "tools/bench/median.hpp"
+
+namespace cobble::bench {
+
+namespace {
+
+/// What a program needs, and what its passes gave.
+struct Entry {
+    const Program* program;
+    std::string scene, picture;
+    std::vector<double> parse, prepare, wall, cpu;
+    FrameResult result;
+};
+
+void run_pass(Entry& entry, const ScenePlan& plan, unsigned threads) {
+    const Program& program = *entry.program;
+    const auto command = program.command(entry.scene, entry.picture, plan, threads);
+    const ChildResult child = run_child(command);
+    const auto phases = child.ran ? program.phases(child, entry.picture) : std::optional<Phases>();
+    if (!phases) {
+        entry.result.failed = true;
+        fmt::print(stderr, "bench_frames: {} failed on {}:\n{}\n", program.name,
+                   entry.result.picture, child.text);
+        return;
+    }
+    entry.parse.push_back(phases->parse);
+    entry.prepare.push_back(phases->prepare);
+    entry.result.renders.push_back(phases->render);
+    entry.wall.push_back(child.wall);
+    entry.cpu.push_back(child.cpu);
+    entry.result.peak_mb = std::max(entry.result.peak_mb, child.peak_mb);
+}
+
+}  // namespace
+
+std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, unsigned threads,
+                              std::size_t passes, const std::vector<Program>& programs) {
+    std::vector<Entry> entries;
+    for (const Program& program : programs) {
+        if (plan.picture.glass && !program.renders_glass) continue;
+        Entry entry{
+            &program,
+            program.write(input, plan),
+            fmt::format("{}/{}-{}-{}.png", plan.folder, input.name, program.name, plan.samples),
+            {},
+            {},
+            {},
+            {},
+            {}};
+        entry.result.picture = input.name;
+        entry.result.program = program.name;
+        entry.result.samples = plan.samples;
+        entry.result.threads = threads;
+        entry.result.failed = entry.scene.empty();
+        entries.push_back(std::move(entry));
+    }
+    for (std::size_t pass = 0; pass < passes; ++pass) {
+        for (Entry& entry : entries) {
+            if (!entry.result.failed) run_pass(entry, plan, threads);
+        }
+    }
+    std::vector<FrameResult> results;
+    const Entry& first = entries.front();
+    for (Entry& entry : entries) {
+        FrameResult& result = entry.result;
+        if (!result.failed) {
+            result.phases = {median(entry.parse), median(entry.prepare), median(result.renders)};
+            result.wall = median(entry.wall);
+            result.cpu = median(entry.cpu);
+            if (!first.result.failed && &entry != &first) {
+                result.times_cobble = speed_ratio(first.result.renders, result.renders);
+                if (!plan.picture.glass || entry.program->refracts) {
+                    result.difference =
+                        picture_difference(first.picture, first.program->enlargement(plan),
+                                           entry.picture, entry.program->enlargement(plan));
+                }
+            }
+        }
+        results.push_back(result);
+    }
+    return results;
+}
+
+}  // namespace cobble::bench
