@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 #include <utility>
@@ -209,4 +210,30 @@ TEST_CASE("the bad samples of a batch are those of single rays") {
             CHECK(one.span == other.span);
         }
     }
+}
+
+TEST_CASE("a batch of rays that take long is put down in its middle") {
+    // Thirty thousand spheres in one place: each ray is tested against most of them, and a whole
+    // batch of such rays would outlast any deadline.
+    constexpr std::uint32_t kSpheres = 30000;
+    SceneBuilder b;
+    b.background({1, 1, 1});
+    for (std::uint32_t i = 0; i < kSpheres; ++i) b.sphere({0, 0, 1e-6 * i}, 2);
+    b.point_light({0, 0, 20}, {1, 1, 1});
+    const auto scheduler = renderer::make_serial_scheduler();
+    const auto job = renderer::start_render(b.scene(), settings(16, 16, 1), *scheduler);
+    std::uint64_t before = 0;
+    std::uint64_t most = 0;
+    std::uint64_t steps = 0;
+    while (!job->step(soon(-1)).done) {
+        const renderer::Counters counters = job->stats().counters;
+        const std::uint64_t tests = counters.box_tests + counters.primitive_tests;
+        most = std::max(most, tests - before);
+        before = tests;
+        ++steps;
+    }
+    CHECK(before > 200 * std::uint64_t{kSpheres});
+    CHECK(steps > 30);
+    // Sixteen rays at once, and never more: those of a step are tested against all there is.
+    CHECK(most <= 16 * 2 * std::uint64_t{kSpheres});
 }
