@@ -55,6 +55,14 @@ struct RayShear {
         sy = slope(ky);
     }
 
+    /// With what another of these has computed: `x` and `y` are its sx and sy, 0 if they vanish.
+    RayShear(math::Vec3<T> from, math::Vec3<T> along, std::size_t first, std::size_t second,
+             std::size_t main, T x, T y)
+        : origin(from), direction(along), kx(first), ky(second), kz(main), sx(x), sy(y) {
+        if (sx == 0) direction[kx] = 0;
+        if (sy == 0) direction[ky] = 0;
+    }
+
   private:
     /// A slope that would vanish beside any coordinate is none: its products would underflow, and
     /// a triangle seen edge-on would be made of their rounding.

@@ -41,6 +41,7 @@ struct Packet {
     static constexpr std::uint32_t kNoTriangle = ~0U;
 
     alignas(64) float origin[3][kPacketRays];
+    alignas(64) float direction[3][kPacketRays];  ///< 0 along a slope that vanishes
     alignas(64) float inverse[3][kPacketRays];
     alignas(64) float inverse_far[3][kPacketRays];
     alignas(64) float sx[kPacketRays];
@@ -62,13 +63,10 @@ struct Packet {
 
     const Ray<float>* rays;
     const Exclude* excludes;
-    Search<float> search[kPacketRays];
     std::size_t count;
+    Hit<float>* best;  ///< of each ray; where a triangle is ahead, what it leaves behind
+    std::uint64_t box_tests, primitive_tests;
 };
-
-HWY_INLINE RayForms<float> forms_of(const Ray<float>& ray) {
-    return RayForms<float>(ray.origin, ray.direction);
-}
 
 HWY_INLINE Extremes extremes_of(const float* values) {
     const Packet::D d;
@@ -84,7 +82,11 @@ HWY_INLINE Extremes extremes_of(const float* values) {
 
 /// False if the rays do not all go the same way, or along an axis: then nothing is to be done with
 /// the packet. The arithmetic of RaySlabs and RayShear.
-inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t count, Packet& p) {
+inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t count,
+                   Hit<float>* best, Packet& p) {
+    p.best = best;
+    p.box_tests = 0;
+    p.primitive_tests = 0;
     p.rays = rays;
     p.excludes = excludes;
     p.count = count;
@@ -92,22 +94,21 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
     p.kx = first.kx;
     p.ky = first.ky;
     p.kz = first.kz;
-    alignas(64) float along[3][kPacketRays];
     for (std::size_t i = 0; i < kPacketRays; ++i) {
         const Ray<float>& ray = rays[i < count ? i : 0];
         for (std::size_t a = 0; a < 3; ++a) {
             p.origin[a][i] = ray.origin[a];
-            along[a][i] = ray.direction[a];
+            p.direction[a][i] = ray.direction[a];
         }
         p.t_min[i] = ray.t_min;
     }
     const Packet::D d;
     for (std::size_t a = 0; a < 3; ++a) {
-        const Extremes direction = extremes_of(along[a]);
+        const Extremes direction = extremes_of(p.direction[a]);
         p.negative[a] = direction.greatest < 0;
         if (!(direction.least > 0) && !p.negative[a]) return false;
         for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
-            const auto inverse = hn::Div(hn::Set(d, 1.0F), hn::Load(d, along[a] + at));
+            const auto inverse = hn::Div(hn::Set(d, 1.0F), hn::Load(d, p.direction[a] + at));
             hn::Store(inverse, d, p.inverse[a] + at);
             hn::Store(hn::Mul(inverse, hn::Set(d, kFarSlack<float>)), d, p.inverse_far[a] + at);
         }
@@ -120,13 +121,13 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
     p.least_t_min = extremes_of(p.t_min).least;
     const auto least_slope = hn::Set(d, detail::kEdgeThreshold<float>);
     for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
-        const auto z = hn::Load(d, along[p.kz] + at);
-        const auto x = hn::Load(d, along[p.kx] + at);
-        const auto y = hn::Load(d, along[p.ky] + at);
+        const auto z = hn::Load(d, p.direction[p.kz] + at);
+        const auto x = hn::Load(d, p.direction[p.kx] + at);
+        const auto y = hn::Load(d, p.direction[p.ky] + at);
         // The same axis is the longest for all, and by RayShear's rule for equals.
         const auto longest = hn::Abs(z);
         for (std::size_t a = 0; a < 3; ++a) {
-            const auto other = hn::Abs(hn::Load(d, along[a] + at));
+            const auto other = hn::Abs(hn::Load(d, p.direction[a] + at));
             const bool wins_ties = a > p.kz;
             if (a != p.kz &&
                 !hn::AllTrue(d, wins_ties ? hn::Gt(longest, other) : hn::Ge(longest, other))) {
@@ -137,14 +138,22 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
             const auto s = hn::Div(of, z);
             return hn::IfThenElseZero(hn::Ge(hn::Abs(s), least_slope), s);
         };
-        hn::Store(slope(x), d, p.sx + at);
-        hn::Store(slope(y), d, p.sy + at);
+        const auto sx = slope(x);
+        const auto sy = slope(y);
+        hn::Store(sx, d, p.sx + at);
+        hn::Store(sy, d, p.sy + at);
+        const auto zero = hn::Zero(d);
+        hn::Store(hn::IfThenZeroElse(hn::Eq(sx, zero), x), d, p.direction[p.kx] + at);
+        hn::Store(hn::IfThenZeroElse(hn::Eq(sy, zero), y), d, p.direction[p.ky] + at);
     }
     for (std::size_t i = 0; i < kPacketRays; ++i) {
-        const bool real = i < count;
-        if (real) p.search[i] = begin_search(rays[i], excludes[i]);
-        p.bound[i] = real ? p.search[i].best.t : std::numeric_limits<float>::lowest();
+        p.bound[i] = std::numeric_limits<float>::lowest();
         p.ahead[i] = Packet::kNoTriangle;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        constexpr float kMost = std::numeric_limits<float>::max();
+        p.bound[i] = rays[i].t_max < kMost ? rays[i].t_max : kMost;
+        best[i] = {p.bound[i], {}, 0, 0, 0};
     }
     return true;
 }
@@ -210,15 +219,136 @@ inline TrianglePrimitive<float> lane_of(const TriangleBlock<float>& block, std::
     return triangle;
 }
 
+/// The shear of a ray, from what the packet has of it.
+inline RayShear<float> shear_of(const Packet& p, std::size_t ray) {
+    return {p.rays[ray].origin, p.rays[ray].direction, p.kx, p.ky, p.kz, p.sx[ray], p.sy[ray]};
+}
+
+/// What a single test asks and answers.
+inline Search<float> begin_search(const Packet& p, std::size_t ray) {
+    Search<float> search;
+    search.best = p.best[ray];
+    search.t_min = p.t_min[ray];
+    search.time = p.rays[ray].time;
+    search.exclude = p.excludes[ray];
+    return search;
+}
+
+template <bool kAny>
+inline void end_search(const Search<float>& search, Packet& p, std::size_t ray) {
+    p.best[ray] = search.best;
+    const bool through = kAny && search.best.object.valid();
+    p.bound[ray] = through ? std::numeric_limits<float>::lowest() : search.best.t;
+    p.box_tests += search.box_tests;
+}
+
+inline RayForms<float> forms_of(const Packet& p, std::size_t ray) {
+    return RayForms<float>(p.rays[ray].origin, p.rays[ray].direction);
+}
+
 /// Computes t, u and v of the triangle that is ahead, if there is one.
-inline void settle(const WideTree<float>& tree, Packet& p, std::size_t ray) {
+HWY_NOINLINE void settle(const WideTree<float>& tree, Packet& p, std::size_t ray) {
     const std::uint32_t ahead = p.ahead[ray];
     if (ahead == Packet::kNoTriangle) return;
     p.ahead[ray] = Packet::kNoTriangle;
     const auto triangle = lane_of(tree.triangles[ahead / kBlockLanes], ahead % kBlockLanes);
-    Search<float>& search = p.search[ray];
-    test_triangle(forms_of(p.rays[ray]), triangle.vertices, triangle.object, triangle.face, search);
-    p.bound[ray] = search.best.t;
+    const auto& v = triangle.vertices;
+    const RayShear<float> shear = shear_of(p, ray);
+    const auto hit = detail::triangle_in_wide(
+        shear, v,
+        {detail::shear(shear, v[0] - shear.origin), detail::shear(shear, v[1] - shear.origin),
+         detail::shear(shear, v[2] - shear.origin)},
+        EdgeRule::kInclusive);
+    // It was sure to be met, and before anything else.
+    const Span<float> span{p.ahead_near[ray], p.bound[ray]};
+    p.best[ray] = {clamp_to(span, hit->t), triangle.object, triangle.face, hit->u, hit->v};
+    p.bound[ray] = p.best[ray].t;
+}
+
+/// settle() of all rays: the same arithmetic, a lane each. Every lane is computed, those that no
+/// triangle waits for with that of another ray.
+HWY_NOINLINE void settle_all(const WideTree<float>& tree, Packet& p) {
+    std::size_t some = p.count;
+    for (std::size_t i = 0; i < p.count; ++i) {
+        if (p.ahead[i] != Packet::kNoTriangle) some = i;
+    }
+    if (some == p.count) return;
+    alignas(64) float corners[3][3][kPacketRays];
+    for (std::size_t i = 0; i < kPacketRays; ++i) {
+        const bool waits = i < p.count && p.ahead[i] != Packet::kNoTriangle;
+        const std::uint32_t ahead = p.ahead[waits ? i : some];
+        const TriangleBlock<float>& block = tree.triangles[ahead / kBlockLanes];
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t a = 0; a < 3; ++a) {
+                corners[c][a][i] = block.vertices[c][a][ahead % kBlockLanes];
+            }
+        }
+    }
+    using D = hn::CappedTag<double, 8>;
+    using V = hn::Vec<D>;
+    const D d;
+    const hn::Rebind<float, D> df;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    struct Vectors {
+        V x, y, z;
+    };
+    const auto minus = [](const Vectors& a, const Vectors& b) HWY_ATTR {
+        return Vectors{hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+    };
+    const auto difference = [](V a, V b, V c, V e)
+                                HWY_ATTR { return hn::Sub(hn::Mul(a, b), hn::Mul(c, e)); };
+    const auto product = [](const Vectors& a, const Vectors& b) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+    };
+    for (std::size_t at = 0; at < p.count; at += kLanes) {
+        const auto load = [&](const float(*rows)[kPacketRays]) HWY_ATTR {
+            return Vectors{hn::PromoteTo(d, hn::Load(df, rows[0] + at)),
+                           hn::PromoteTo(d, hn::Load(df, rows[1] + at)),
+                           hn::PromoteTo(d, hn::Load(df, rows[2] + at))};
+        };
+        V x[3], y[3];
+        const auto sx = hn::Load(df, p.sx + at);
+        const auto sy = hn::Load(df, p.sy + at);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto relative = [&](std::size_t axis) HWY_ATTR {
+                return hn::Sub(hn::Load(df, corners[c][axis] + at),
+                               hn::Load(df, p.origin[axis] + at));
+            };
+            const auto z = relative(p.kz);
+            x[c] = hn::PromoteTo(d, hn::Sub(relative(p.kx), hn::Mul(sx, z)));
+            y[c] = hn::PromoteTo(d, hn::Sub(relative(p.ky), hn::Mul(sy, z)));
+        }
+        const V u = difference(x[2], y[1], y[2], x[1]);
+        const V v = difference(x[0], y[2], y[0], x[2]);
+        const V w = difference(x[1], y[0], y[1], x[0]);
+        const V det = hn::Add(hn::Add(u, v), w);
+        const Vectors p0 = load(corners[0]);
+        const Vectors a = minus(load(corners[1]), p0);
+        const Vectors b = minus(load(corners[2]), p0);
+        const Vectors normal{difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
+                             difference(a.x, b.y, a.y, b.x)};
+        const Vectors direction = load(p.direction);
+        const V along = product(normal, direction);
+        const V t = hn::Div(product(normal, minus(p0, load(p.origin))), along);
+        alignas(64) float ts[kLanes], us[kLanes], vs[kLanes];
+        hn::Store(hn::DemoteTo(df, t), df, ts);
+        hn::Store(hn::DemoteTo(df, hn::Div(v, det)), df, us);
+        hn::Store(hn::DemoteTo(df, hn::Div(w, det)), df, vs);
+        const std::uint32_t edge_on = bits_of(d, hn::Eq(along, hn::Zero(d)));
+        for (std::size_t i = 0; i < kLanes && at + i < p.count; ++i) {
+            const std::size_t ray = at + i;
+            if (p.ahead[ray] == Packet::kNoTriangle) continue;
+            if ((edge_on >> i & 1) != 0) {
+                settle(tree, p, ray);
+                continue;
+            }
+            const std::uint32_t ahead = p.ahead[ray];
+            const TriangleBlock<float>& block = tree.triangles[ahead / kBlockLanes];
+            const Span<float> span{p.ahead_near[ray], p.bound[ray]};
+            p.best[ray] = {clamp_to(span, ts[i]), block.object[ahead % kBlockLanes],
+                           block.face[ahead % kBlockLanes], us[i], vs[i]};
+        }
+    }
 }
 
 /// One ray and one triangle that its edge functions and its box leave open; `sure` if the line
@@ -230,17 +360,16 @@ inline void meet(const WideTree<float>& tree, Packet& p, std::size_t ray, std::u
     const std::size_t lane = triangle % kBlockLanes;
     const Exclude& exclude = p.excludes[ray];
     if (block.object[lane] == exclude.object && block.face[lane] == exclude.face) return;
-    Search<float>& search = p.search[ray];
     const bool inside = sure && near > p.t_min[ray];
     if constexpr (kAny) {
-        if (inside && far < search.best.t) {
-            search.best.object = block.object[lane];
+        if (inside && far < p.best[ray].t) {
+            p.best[ray].object = block.object[lane];
             p.bound[ray] = std::numeric_limits<float>::lowest();
             return;
         }
     } else if (inside) {
         const bool waits = p.ahead[ray] != Packet::kNoTriangle;
-        const float least = waits ? p.ahead_near[ray] : search.best.t;
+        const float least = waits ? p.ahead_near[ray] : p.best[ray].t;
         if (far < least) {
             p.ahead[ray] = triangle;
             p.ahead_near[ray] = near;
@@ -250,11 +379,9 @@ inline void meet(const WideTree<float>& tree, Packet& p, std::size_t ray, std::u
         settle(tree, p, ray);
     }
     const auto one = lane_of(block, lane);
-    test_triangle(forms_of(p.rays[ray]), one.vertices, one.object, one.face, search);
-    p.bound[ray] = search.best.t;
-    if constexpr (kAny) {
-        if (search.best.object.valid()) p.bound[ray] = std::numeric_limits<float>::lowest();
-    }
+    Search<float> search = begin_search(p, ray);
+    test_triangle(forms_of(p, ray), one.vertices, one.object, one.face, search);
+    end_search<kAny>(search, p, ray);
 }
 
 /// One triangle against a group of rays.
@@ -339,22 +466,10 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
 template <bool kAny>
 HWY_NOINLINE void test_others(const Geometry<float>& g, ChildRef at, Packet& p, std::size_t ray) {
     settle(g.wide, p, ray);
-    Search<float>& search = p.search[ray];
-    test_leaf<kAny>(g, at, forms_of(p.rays[ray]), search);
-    p.bound[ray] =
-        kAny && search.best.object.valid() ? std::numeric_limits<float>::lowest() : search.best.t;
-}
-
-template <bool kAny>
-void test_planes(const Geometry<float>& g, Packet& p) {
-    for (const MovingPrimitive& plane : g.planes) {
-        for (std::size_t ray = 0; ray < p.count; ++ray) {
-            Search<float>& search = p.search[ray];
-            test_plane(g, forms_of(p.rays[ray]), plane, search);
-            p.bound[ray] = kAny && search.best.object.valid() ? std::numeric_limits<float>::lowest()
-                                                              : search.best.t;
-        }
-    }
+    Search<float> search = begin_search(p, ray);
+    test_leaf<kAny>(g, at, forms_of(p, ray), search);
+    p.primitive_tests += search.primitive_tests;
+    end_search<kAny>(search, p, ray);
 }
 
 /// A box of the scene in a node's slot.
@@ -362,11 +477,23 @@ template <bool kAny>
 HWY_NOINLINE void test_box_slot(const Geometry<float>& g, const WideNode<float>& node,
                                 std::size_t slot, Packet& p, std::size_t ray) {
     settle(g.wide, p, ray);
-    Search<float>& search = p.search[ray];
-    test_box(forms_of(p.rays[ray]), slot_bounds(node, slot),
-             g.box_objects[node.child[slot].index()], search);
-    p.bound[ray] =
-        kAny && search.best.object.valid() ? std::numeric_limits<float>::lowest() : search.best.t;
+    Search<float> search = begin_search(p, ray);
+    test_box(forms_of(p, ray), slot_bounds(node, slot), g.box_objects[node.child[slot].index()],
+             search);
+    p.primitive_tests += 1;
+    end_search<kAny>(search, p, ray);
+}
+
+template <bool kAny>
+void test_planes(const Geometry<float>& g, Packet& p) {
+    for (const MovingPrimitive& plane : g.planes) {
+        for (std::size_t ray = 0; ray < p.count; ++ray) {
+            Search<float> search = begin_search(p, ray);
+            test_plane(g, forms_of(p, ray), plane, search);
+            end_search<kAny>(search, p, ray);
+        }
+        p.primitive_tests += p.count;
+    }
 }
 
 struct WaitingPart {
@@ -429,6 +556,7 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
             std::uint32_t bits = group_hits(parent, at.slot, p, group);
             if (bits == 0) continue;
             if (at.child.kind() == PrimitiveKind::kTriangle) {
+                p.primitive_tests += Packet::kLanes * at.child.count();
                 const std::uint32_t first = at.child.index() * std::uint32_t{kBlockLanes};
                 for (std::uint32_t i = 0; i < at.child.count(); ++i) {
                     test_triangle_group<kAny>(tree, first + i, p, group);
@@ -449,8 +577,8 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
         bound = greatest_bound(p);
         if (kAny && bound == std::numeric_limits<float>::lowest()) break;
     }
-    for (std::size_t ray = 0; ray < p.count; ++ray) settle(tree, p, ray);
-    p.search[0].box_tests += steps * kWidth;
+    if constexpr (!kAny) settle_all(tree, p);
+    p.box_tests += steps * kWidth;
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE

@@ -29,17 +29,14 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
     for (std::size_t first = 0; first < q.count; first += kPacketRays) {
         const std::size_t count = std::min(kPacketRays, q.count - first);
         if (count <= kPacketRays / 4 ||
-            !gather(q.rays + first, q.excludes + first, count, packet)) {
+            !gather(q.rays + first, q.excludes + first, count, hits + first, packet)) {
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
         test_planes<kAny>(*q.geometry, packet);
         walk_packet<kAny>(*q.geometry, packet);
-        for (std::size_t i = 0; i < count; ++i) {
-            hits[first + i] = packet.search[i].best;
-            counters.box_tests += packet.search[i].box_tests;
-            counters.primitive_tests += packet.search[i].primitive_tests;
-        }
+        counters.box_tests += packet.box_tests;
+        counters.primitive_tests += packet.primitive_tests;
     }
 }
 
