@@ -184,6 +184,9 @@ std::string write_povray_scene(const Input& input, const ScenePlan& plan) {
 std::string write_tachyon_scene(const Input& input, const ScenePlan& plan) {
     const ir::Scene& scene = input.scene;
     const ir::Camera& camera = scene.camera;
+    // It samples the upper right corners of pixels: turned by half a pixel, it meets their middles.
+    const Vec3d forward =
+        camera.forward - (camera.right + camera.up) * (half_height(camera) / plan.height);
     // Its cameras look at a mirrored world.
     const auto mirrored = [](Vec3d v) { return words({-v.x, v.y, v.z}); };
     std::string text = "BEGIN_SCENE\n";
@@ -193,7 +196,7 @@ std::string write_tachyon_scene(const Input& input, const ScenePlan& plan) {
                    "{}\nCENTER {}\nVIEWDIR {}\nUPDIR {}\nEND_CAMERA\n",
                    plan.width, plan.height, 0.5 / half_height(camera), plan.samples - 1,
                    plan.picture.glass ? kGlassBounces : 5, mirrored(camera.center),
-                   mirrored(camera.forward), mirrored(camera.up));
+                   mirrored(forward), mirrored(camera.up));
     fmt::format_to(out, "LIGHT CENTER {} RAD 0.001 COLOR {}\nBACKGROUND {}\n",
                    mirrored(scene.lights[0].position), words(scene.lights[0].color),
                    words(scene.background.color));
