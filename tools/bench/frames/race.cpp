@@ -21,9 +21,17 @@ struct Entry {
     FrameResult result;
 };
 
-void run_pass(Entry& entry, const ScenePlan& plan, unsigned threads) {
+/// Processor seconds of everything but the picture, or nearly.
+double cpu_without_picture(const Entry& entry, ScenePlan plan, unsigned threads) {
+    plan.width = plan.height = 16;
+    return run_child(
+               entry.program->command(entry.scene, entry.picture + ".small.png", plan, threads))
+        .cpu;
+}
+
+void run_pass(Entry& entry, const ScenePlan& plan, const RaceOptions& options) {
     const Program& program = *entry.program;
-    const auto command = program.command(entry.scene, entry.picture, plan, threads);
+    const auto command = program.command(entry.scene, entry.picture, plan, options.threads);
     const ChildResult child = run_child(command);
     const auto phases = child.ran ? program.phases(child, entry.picture) : std::optional<Phases>();
     if (!phases) {
@@ -37,13 +45,17 @@ void run_pass(Entry& entry, const ScenePlan& plan, unsigned threads) {
     entry.result.renders.push_back(phases->render);
     entry.wall.push_back(child.wall);
     entry.cpu.push_back(child.cpu);
+    if (options.render_cpu) {
+        entry.result.render_cpus.push_back(child.cpu -
+                                           cpu_without_picture(entry, plan, options.threads));
+    }
     entry.result.peak_mb = std::max(entry.result.peak_mb, child.peak_mb);
 }
 
 }  // namespace
 
-std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, unsigned threads,
-                              std::size_t passes, const std::vector<Program>& programs) {
+std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, const RaceOptions& options,
+                              const std::vector<Program>& programs) {
     std::vector<Entry> entries;
     for (const Program& program : programs) {
         if (plan.picture.glass && !program.renders_glass) continue;
@@ -59,13 +71,13 @@ std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, unsigne
         entry.result.picture = input.name;
         entry.result.program = program.name;
         entry.result.samples = plan.samples;
-        entry.result.threads = threads;
+        entry.result.threads = options.threads;
         entry.result.failed = entry.scene.empty();
         entries.push_back(std::move(entry));
     }
-    for (std::size_t pass = 0; pass < passes; ++pass) {
+    for (std::size_t pass = 0; pass < options.passes; ++pass) {
         for (Entry& entry : entries) {
-            if (!entry.result.failed) run_pass(entry, plan, threads);
+            if (!entry.result.failed) run_pass(entry, plan, options);
         }
     }
     std::vector<FrameResult> results;
@@ -78,6 +90,10 @@ std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, unsigne
             result.cpu = median(entry.cpu);
             if (!first.result.failed && &entry != &first) {
                 result.times_cobble = speed_ratio(first.result.renders, result.renders);
+                if (options.render_cpu) {
+                    result.times_cobble_cpu =
+                        speed_ratio(first.result.render_cpus, result.render_cpus);
+                }
                 if (!plan.picture.glass || entry.program->refracts) {
                     result.difference =
                         picture_difference(first.picture, first.program->enlargement(plan),

@@ -19,15 +19,24 @@ struct FrameResult {
     double cpu = 0;               ///< median, of all its threads
     double peak_mb = 0;           ///< the most of all passes
     std::vector<double> renders;  ///< seconds of rendering, by pass
+    /// Processor seconds beyond those for a picture of 16 x 16 pixels: rendering and writing. By
+    /// pass; empty unless asked for.
+    std::vector<double> render_cpus;
     /// Rendering: how many times as long as Cobble on the same picture; median of passes.
-    std::optional<double> times_cobble;
+    std::optional<double> times_cobble, times_cobble_cpu;
     std::optional<double> difference;  ///< from Cobble's picture, mean of channels, 0 to 1
+};
+
+struct RaceOptions {
+    unsigned threads = 1;
+    std::size_t passes = 3;
+    bool render_cpu = false;  ///< each program runs once more for each pass
 };
 
 /// One result for each program that can, in their order; the first program is what others are
 /// compared with. Pictures stay in the plan's folder as PICTURE-PROGRAM-SAMPLES.png. Every program
 /// runs once for each pass; one that fails does not run again.
-std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, unsigned threads,
-                              std::size_t passes, const std::vector<Program>& programs);
+std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, const RaceOptions& options,
+                              const std::vector<Program>& programs);
 
 }  // namespace cobble::bench
