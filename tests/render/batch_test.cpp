@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 #include <utility>
 #include <vector>
@@ -81,7 +80,7 @@ void check_batches(const ir::Scene& scene) {
                 CHECK(hits[i].object == hit.object);
                 if (!hit) continue;
                 ++found;
-                CHECK(std::memcmp(&hits[i].t, &hit.t, sizeof hit.t) == 0);
+                CHECK(hits[i].t == hit.t);
                 CHECK(hits[i].face == hit.face);
                 CHECK(hits[i].u == hit.u);
                 CHECK(hits[i].v == hit.v);
