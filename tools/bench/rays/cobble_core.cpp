@@ -99,18 +99,20 @@ bool same_hit(const Hit<T>& a, const Hit<T>& b) {
 }
 
 template <typename T>
-void complain(const RaySet<T>& rays, std::size_t i, const InstructionSet& set, Ask ask,
-              const Hit<T>& got) {
+void complain(const PreparedScene<T>& scene, const RaySet<T>& rays, std::size_t i,
+              const InstructionSet& set, Ask ask, const Hit<T>& got) {
     const auto text = [](const Hit<T>& hit) {
         return fmt::format("object {} face {} t {} u {} v {}",
                            static_cast<std::int32_t>(hit.object.value), hit.face, hit.t, hit.u,
                            hit.v);
     };
     const Hit<T>& want = rays.expected[i];
-    fmt::print(stderr, "bench_rays: {} ray {} by {}{}: {}, the reference: {}\n", rays.kind.name, i,
-               set.name, ask == Ask::kBatches ? " in batches" : "",
+    Counters counters;
+    const Hit<T> every = closest_hit_brute_force(scene, rays.rays[i], rays.excludes[i], counters);
+    fmt::print(stderr, "bench_rays: {} ray {} by {}{}: {}, the reference: {}, brute force: {}\n",
+               rays.kind.name, i, set.name, ask == Ask::kBatches ? " in batches" : "",
                rays.kind.any ? (want ? "no hit" : "a hit") : text(got),
-               rays.kind.any ? (want ? "a hit" : "no hit") : text(want));
+               rays.kind.any ? (want ? "a hit" : "no hit") : text(want), text(every));
 }
 
 template <typename T>
@@ -159,7 +161,8 @@ std::vector<Contestant> cobble_contestants(const PreparedScene<T>& reference,
 }
 
 template <typename T>
-std::uint64_t count_differences(const PreparedScene<T>& fast, const RaySet<T>& rays) {
+std::uint64_t count_differences(const PreparedScene<T>& reference, const PreparedScene<T>& fast,
+                                const RaySet<T>& rays) {
     const FpEnvironment environment;
     const std::size_t count = rays.rays.size();
     std::uint64_t sum = 0;
@@ -177,7 +180,7 @@ std::uint64_t count_differences(const PreparedScene<T>& fast, const RaySet<T>& r
             for (std::size_t i = 0; i < count; ++i) {
                 const bool same = rays.kind.any ? (flags[i] != 0) == rays.expected[i].object.valid()
                                                 : same_hit(hits[i], rays.expected[i]);
-                if (!same && here++ == 0) complain(rays, i, set, ask, hits[i]);
+                if (!same && here++ == 0) complain(reference, rays, i, set, ask, hits[i]);
             }
             sum += here;
         }
@@ -204,8 +207,10 @@ template std::vector<Contestant> cobble_contestants(const PreparedScene<float>&,
 template std::vector<Contestant> cobble_contestants(const PreparedScene<double>&,
                                                     const PreparedScene<double>&,
                                                     const RaySet<double>&);
-template std::uint64_t count_differences(const PreparedScene<float>&, const RaySet<float>&);
-template std::uint64_t count_differences(const PreparedScene<double>&, const RaySet<double>&);
+template std::uint64_t count_differences(const PreparedScene<float>&, const PreparedScene<float>&,
+                                         const RaySet<float>&);
+template std::uint64_t count_differences(const PreparedScene<double>&, const PreparedScene<double>&,
+                                         const RaySet<double>&);
 template std::uint64_t tree_bytes(const PreparedScene<float>&);
 template std::uint64_t tree_bytes(const PreparedScene<double>&);
 

@@ -24,20 +24,19 @@ const std::vector<InstructionSet>& instruction_sets();
 /// Makes all kernels use it from now on, on all threads.
 void use_instruction_set(const InstructionSet& set);
 
-/// "cobble-reference", then "cobble-avx2" (one ray a call) and "cobble-batch-avx2" for each
-/// instruction set, the best first. What is
-/// passed must outlive the contestants.
+/// "cobble-reference"; then for each instruction set, the best first, "cobble-avx2" (one ray a
+/// call) and "cobble-batch-avx2". What is passed must outlive the contestants.
 template <typename T>
 std::vector<Contestant> cobble_contestants(const renderer::PreparedScene<T>& reference,
                                            const renderer::PreparedScene<T>& fast,
                                            const RaySet<T>& rays);
 
 /// How many answers of the fast core differ from the reference's in any bit of t, object, face, u
-/// or v (any hit: in whether there is one), by each instruction set, one a call and in
-/// batches, summed. Prints the first of
-/// each to stderr.
+/// or v (any hit: in whether there is one), summed over instruction sets, one ray a call and in
+/// batches. Prints the first of each to stderr.
 template <typename T>
-std::uint64_t count_differences(const renderer::PreparedScene<T>& fast, const RaySet<T>& rays);
+std::uint64_t count_differences(const renderer::PreparedScene<T>& reference,
+                                const renderer::PreparedScene<T>& fast, const RaySet<T>& rays);
 
 /// Nodes and leaves of the fast core's trees, with what they point into to be hit.
 template <typename T>

@@ -12,7 +12,8 @@ namespace cobble::bench {
 namespace {
 
 /// The columns of ratios: cores that others are compared with.
-constexpr const char* kAgainst[] = {"embree-robust-1", "embree-robust-8", "cobble-reference"};
+constexpr const char* kAgainst[] = {"embree-robust-1", "embree-robust-8", "embree-robust-16",
+                                    "cobble-reference"};
 
 std::string ratio_text(const CoreResult& result, const std::string& other) {
     for (const auto& [name, value] : result.ratios) {
@@ -74,8 +75,9 @@ void Report::add(const KindResult& result) {
         fmt::print("; embree: {} other hits, {} other distances", result.disagreements->hits,
                    result.disagreements->distances);
     }
-    fmt::print("\n    {:<24}{:>3}{:>9}{:>17}{:>13}{:>13}{:>13}{:>9}\n", "core", "thr", "Mrays/s",
-               "quartiles", "/ robust-1", "/ robust-8", "/ reference", "/ 1 thr");
+    fmt::print("\n    {:<24}{:>3}{:>9}{:>17}{:>13}{:>13}{:>13}{:>13}{:>9}\n", "core", "thr",
+               "Mrays/s", "quartiles", "/ robust-1", "/ robust-8", "/ robust-16", "/ reference",
+               "/ 1 thr");
     for (const CoreResult& core : result.cores) {
         fmt::print("    {:<24}{:>3}{:>9.2f}{:>17}", core.core, core.threads, core.rate,
                    fmt::format("{:.2f} - {:.2f}", core.slow, core.fast));

@@ -130,7 +130,7 @@ template <typename T>
 std::vector<Builder> builders_for(const Input& input, const Choice& choice) {
     std::vector<Builder> builders;
     const std::size_t primitives = stored_primitives(input.scene);
-    if (chosen(choice.cores, "cobble")) {
+    if (chosen(choice.cores, "cobble-" + instruction_sets()[0].name)) {
         builders.push_back({"cobble", 1, primitives, [&input] {
                                 const Stopwatch watch;
                                 const auto scene = prepare_as<T>(input.scene, Acceleration::kFast);
@@ -179,7 +179,7 @@ std::uint64_t run_input(const Input& input, const Choice& choice, Report& report
             const auto hits = std::count_if(rays.expected.begin(), rays.expected.end(),
                                             [](const auto& hit) { return bool(hit); });
             result.hit_share = static_cast<double>(hits) / static_cast<double>(result.rays);
-            result.differences = count_differences(fast, rays);
+            result.differences = count_differences(reference, fast, rays);
             differences += result.differences;
             auto all = cobble_contestants(reference, fast, rays);
 #ifdef COBBLE_BENCH_EMBREE
