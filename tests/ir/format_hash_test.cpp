@@ -4,39 +4,24 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "frontend/format/format.hpp"
 #include "ir/hash.hpp"
 #include "ir/lower.hpp"
+#include "tests/support/disk.hpp"
 
 namespace cobble::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string contents(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-class DiskFiles final : public source::FileSource {
-  public:
-    source::ReadResult read(std::string_view path, std::uint64_t) override {
-        if (!exists(path)) return {};
-        return {source::ReadStatus::kOk, contents(fs::path(path)), {}};
-    }
-    bool exists(std::string_view path) override { return fs::is_regular_file(fs::path(path)); }
-};
-
 std::string hash_of(const fs::path& path, const std::string& text) {
     source::SourceMap sources;
     const source::SourceId id = sources.add(path.string(), text);
     const frontend::CheckedScene checked = frontend::check(id, sources.text(id));
     CHECK(!checked.has_errors());
-    DiskFiles files;
+    Disk files;
     return ir::hash(ir::lower(checked, sources, files).scene);
 }
 
@@ -63,7 +48,7 @@ TEST_CASE("a formatted scene has the hash of the scene") {
         if (entry.path().extension() != ".scene") continue;
         ++scenes;
         CAPTURE(entry.path().string());
-        const std::string text = contents(entry.path());
+        const std::string text = file_text(entry.path());
         const std::string tight = squeezed(text);
         const std::string formatted = frontend::format(tight).text;
         CHECK(formatted != tight);
