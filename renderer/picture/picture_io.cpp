@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "renderer/picture/codecs.hpp"
+#include "renderer/picture/comment.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -91,6 +92,25 @@ ByteImage quantised(const Plane32& plane, const EncodeOptions& options) {
     return image;
 }
 
+/// A plane whose values match its size, and whose size is that of a file.
+Encoded encode_checked(const Plane32& plane, PictureFormat format, const EncodeOptions& options) {
+    switch (format) {
+        case PictureFormat::kPng:
+            return encode_png(quantised(plane, options));
+        case PictureFormat::kBmp:
+            return encode_bmp(quantised(plane, options));
+        case PictureFormat::kTga:
+            return encode_tga(quantised(plane, options));
+        case PictureFormat::kPfm:
+            return encode_pfm(plane);
+        case PictureFormat::kHdr:
+            return encode_hdr(plane);
+        case PictureFormat::kExr:
+            return encode_exr(plane);
+    }
+    return {{}, "unknown picture format"};
+}
+
 }  // namespace
 
 std::optional<PictureFormat> picture_format(std::string_view path) {
@@ -136,21 +156,11 @@ Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& 
         !problem.empty()) {
         return {{}, std::move(problem)};
     }
-    switch (format) {
-        case PictureFormat::kPng:
-            return encode_png(quantised(plane, options));
-        case PictureFormat::kBmp:
-            return encode_bmp(quantised(plane, options));
-        case PictureFormat::kTga:
-            return encode_tga(quantised(plane, options));
-        case PictureFormat::kPfm:
-            return encode_pfm(plane);
-        case PictureFormat::kHdr:
-            return encode_hdr(plane);
-        case PictureFormat::kExr:
-            return encode_exr(plane);
+    Encoded encoded = encode_checked(plane, format, options);
+    if (encoded.error.empty() && !options.comment.empty()) {
+        add_comment(encoded.bytes, format, options.comment);
     }
-    return {{}, "unknown picture format"};
+    return encoded;
 }
 
 Decoded decode(std::string_view bytes) {

@@ -24,6 +24,7 @@ enum class Quantise : unsigned char {
 struct EncodeOptions {
     Quantise quantise = Quantise::kRound;
     bool encode_srgb = false;  ///< 8-bit formats only, with kRound
+    std::string comment{};     ///< put into the file by add_comment() unless it is empty
 };
 
 /// What speaks against writing a picture of this size in any format, or "": known before there is

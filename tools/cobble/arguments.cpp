@@ -1,52 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "tools/cobble/arguments.hpp"
 
-#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <concepts>
 
 #include "frontend/names/suggest.hpp"
 #include "frontend/source/diagnostic.hpp"
+#include "tools/driver/numbers.hpp"
 #include "tools/driver/output.hpp"
 
 namespace cobble {
-namespace {
-
-template <std::unsigned_integral Number>
-bool parse_one(std::string_view text, Number& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
-bool parse_one(std::string_view text, double& number) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] =
-        fast_float::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
-template <typename Number>
-bool parse_all(std::string_view text, char separator, std::size_t count,
-               std::vector<Number>& numbers) {
-    numbers.clear();
-    for (;;) {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        Number number{};
-        if (!parse_one(text.substr(0, end), number)) return false;
-        numbers.push_back(number);
-        if (end == text.size()) break;
-        text.remove_prefix(end + 1);
-    }
-    return numbers.size() == count;
-}
-
-}  // namespace
-
 CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                       const std::string& description) {
     return app.add_option(name, values, description)
@@ -74,7 +40,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
 CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high) {
     const auto check = [low, high](std::string& text) {
         std::uint64_t number = 0;
-        if (!parse_one(text, number) || number < low || number > high) {
+        if (!driver::parse_number(text, number) || number < low || number > high) {
             return fmt::format("'{}' must be a whole number from {} to {}", text, low, high);
         }
         // CLI11 would take a leading 0 for a number to the base 8.
@@ -87,7 +53,8 @@ CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t
 CLI::Option* require_number(CLI::Option* option, double low, double high) {
     return option->check([low, high](const std::string& text) {
         double number = 0;
-        if (parse_one(text, number) && number >= low && number <= high) return std::string();
+        if (driver::parse_number(text, number) && number >= low && number <= high)
+            return std::string();
         return std::isinf(high)
                    ? fmt::format("'{}' must be a number of {} or more", text, low)
                    : fmt::format("'{}' must be a number from {} to {}", text, low, high);
@@ -97,7 +64,7 @@ CLI::Option* require_number(CLI::Option* option, double low, double high) {
 CLI::Option* require_above(CLI::Option* option, double low) {
     return option->check([low](const std::string& text) {
         double number = 0;
-        if (parse_one(text, number) && number > low) return std::string();
+        if (driver::parse_number(text, number) && number > low) return std::string();
         return fmt::format("'{}' must be a number above {}", text, low);
     });
 }
@@ -117,16 +84,6 @@ bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::stri
         "--stdin-filepath says where standard input is taken to be: it goes with the "
         "path -");
     return false;
-}
-
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<std::uint32_t>& numbers) {
-    return parse_all(text, separator, count, numbers);
-}
-
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<double>& numbers) {
-    return parse_all(text, separator, count, numbers);
 }
 
 }  // namespace cobble

@@ -39,11 +39,4 @@ std::string similar_code(std::string_view name);
 /// standard input ("-") is not among `paths`.
 bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths);
 
-/// All of `text` as numbers with `separator` between them, exactly `count`; false if it is not
-/// that, or a number is out of range or not finite.
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<std::uint32_t>& numbers);
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<double>& numbers);
-
 }  // namespace cobble

@@ -13,6 +13,7 @@
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
+#include "tools/driver/numbers.hpp"
 #include "tools/driver/session.hpp"
 #include "tools/driver/text.hpp"
 #include "tools/driver/unified_diff.hpp"
@@ -37,8 +38,8 @@ class Format {
     int run() {
         std::vector<std::uint32_t> lines;
         if (!options_.range.empty()) {
-            const bool good = parse_numbers(options_.range, ':', 2, lines) && lines[0] >= 1 &&
-                              lines[0] <= lines[1];
+            const bool good = driver::parse_numbers(options_.range, ':', 2, lines) &&
+                              lines[0] >= 1 && lines[0] <= lines[1];
             if (!good) {
                 driver::complain("--range: '" + options_.range +
                                  "' is not two line numbers L1:L2 with 1 <= L1 <= L2");

@@ -11,6 +11,7 @@
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/view_options.hpp"
+#include "tools/driver/numbers.hpp"
 #include "tools/driver/report/pick_report.hpp"
 
 namespace cobble {
@@ -25,7 +26,7 @@ struct Options {
 
 std::string check_pixel(const std::string& text) {
     std::vector<std::uint32_t> pixel;
-    if (parse_numbers(text, ',', 2, pixel)) return {};
+    if (driver::parse_numbers(text, ',', 2, pixel)) return {};
     return fmt::format("'{}' is no pixel X,Y", text);
 }
 
@@ -33,7 +34,7 @@ int run(const Options& options, Context& context) {
     const View view = make_view(options.view, true);
     if (view.status != 0) return view.status;
     std::vector<std::uint32_t> pixel;
-    parse_numbers(options.at, ',', 2, pixel);
+    driver::parse_numbers(options.at, ',', 2, pixel);
     if (pixel[0] >= view.settings.width || pixel[1] >= view.settings.height) {
         driver::complain(fmt::format("--at: there is no pixel {} in a picture of {} (see --size)",
                                      options.at, options.view.size));

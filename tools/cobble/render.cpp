@@ -9,16 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/compat/compat_renderer.hpp"
 #include "renderer/job/render_job.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
 #include "tools/cobble/progress.hpp"
 #include "tools/cobble/view_options.hpp"
+#include "tools/driver/numbers.hpp"
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
+#include "tools/driver/shards.hpp"
 #include "tools/driver/text.hpp"
 #include "tools/driver/write_file.hpp"
 
@@ -43,23 +46,24 @@ struct Options {
     bool quiet = false;
 };
 
-// A picture that is asked for: where it goes, and which plane of the result it is.
+// A picture that is asked for: where it goes, which plane of the result it is, and its name.
 struct Target {
     std::string path;
     renderer::Plane32 renderer::Picture::*plane;
+    std::string_view name;
 };
 
 class Render {
   public:
     explicit Render(const Options& options) : options_(options) {
-        const std::pair<const std::string*, renderer::Plane32 renderer::Picture::*> all[] = {
-            {&options.output, &renderer::Picture::color},
-            {&options.depth, &renderer::Picture::depth},
-            {&options.normals, &renderer::Picture::normals},
-            {&options.albedo, &renderer::Picture::albedo},
-            {&options.sample_count, &renderer::Picture::sample_count}};
-        for (const auto& [path, plane] : all) {
-            if (!path->empty()) targets_.push_back({*path, plane});
+        const Target all[] = {
+            {options.output, &renderer::Picture::color, "color"},
+            {options.depth, &renderer::Picture::depth, "depth"},
+            {options.normals, &renderer::Picture::normals, "normals"},
+            {options.albedo, &renderer::Picture::albedo, "albedo"},
+            {options.sample_count, &renderer::Picture::sample_count, "sample-count"}};
+        for (const Target& target : all) {
+            if (!target.path.empty()) targets_.push_back(target);
         }
     }
 
@@ -99,9 +103,10 @@ class Render {
             return problem;
         }
         std::vector<std::uint32_t> size;
-        parse_numbers(options_.view.size, 'x', 2, size);
+        driver::parse_numbers(options_.view.size, 'x', 2, size);
         std::vector<std::uint32_t> crop;
-        if (!options_.view.crop.empty() && parse_numbers(options_.view.crop, ',', 4, crop)) {
+        if (!options_.view.crop.empty() &&
+            driver::parse_numbers(options_.view.crop, ',', 4, crop)) {
             for (std::size_t i = 0; i < 2; ++i) {
                 size[i] = std::min(size[i], crop[i + 2]) - std::min(size[i], crop[i]);
             }
@@ -126,7 +131,7 @@ class Render {
         if (options_.filter == "gaussian") settings.filter = renderer::PixelFilter::kGaussian;
         if (!options_.shard.empty()) {
             std::vector<std::uint32_t> shard;
-            parse_numbers(options_.shard, '/', 2, shard);
+            driver::parse_numbers(options_.shard, '/', 2, shard);
             settings.shard_index = shard[0] - 1;
             settings.shard_count = shard[1];
             // Each part would find a range of its own.
@@ -139,10 +144,10 @@ class Render {
         settings.want_normals = !options_.normals.empty();
         settings.want_albedo = !options_.albedo.empty();
         // A shard must know which pixels are not its own.
-        settings.want_sample_count = !options_.sample_count.empty() || settings.shard_count > 1;
+        settings.want_sample_count = !options_.sample_count.empty() || !options_.shard.empty();
         if (!options_.view.depth_range.empty()) {
             std::vector<double> range;
-            parse_numbers(options_.view.depth_range, ',', 2, range);
+            driver::parse_numbers(options_.view.depth_range, ',', 2, range);
             depth_range_ = {range[0], range[1]};
             settings.compat.depth_min = range[0];
             settings.compat.depth_max = range[1];
@@ -249,6 +254,13 @@ class Render {
         return status;
     }
 
+    // As many as each pixel is to take; a published program takes what its flags say.
+    [[nodiscard]] std::uint32_t samples() const {
+        return view_.compat == ir::Compat::kNone
+                   ? view_.settings.samples
+                   : renderer::compat_samples_per_pixel(view_.loaded.lowered.scene, view_.settings);
+    }
+
     [[nodiscard]] std::string write_target(const Target& target,
                                            const renderer::Picture& picture) const {
         renderer::Plane32 plane = picture.*target.plane;
@@ -263,11 +275,14 @@ class Render {
             } else if (target.plane == &renderer::Picture::normals) {
                 plane = driver::normals_as_color(plane, view_.compat);
             } else if (target.plane == &renderer::Picture::sample_count) {
-                plane = driver::counts_as_grey(plane);
+                plane = driver::counts_as_grey(plane, samples());
             }
         }
-        if (view_.settings.shard_count > 1) {
+        if (!options_.shard.empty()) {
             driver::blacken_unreached(plane, picture.sample_count);
+            encode.comment = driver::to_text(
+                driver::shard_note(view_.loaded.lowered.scene, view_.settings, target.name,
+                                   options_.view.transfer, picture.complete));
         }
         return driver::write_picture(target.path, plane, encode);
     }
@@ -280,20 +295,22 @@ class Render {
 
 std::string check_crop(const std::string& text) {
     std::vector<std::uint32_t> crop;
-    const bool good = parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
+    const bool good =
+        driver::parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
     return good ? std::string()
                 : fmt::format("'{}' is no rectangle X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1", text);
 }
 
 std::string check_range(const std::string& text) {
     std::vector<double> range;
-    const bool good = parse_numbers(text, ',', 2, range) && range[0] < range[1];
+    const bool good = driver::parse_numbers(text, ',', 2, range) && range[0] < range[1];
     return good ? std::string() : fmt::format("'{}' is no range MIN,MAX with MIN below MAX", text);
 }
 
 std::string check_shard(const std::string& text) {
     std::vector<std::uint32_t> shard;
-    const bool good = parse_numbers(text, '/', 2, shard) && shard[0] >= 1 && shard[0] <= shard[1];
+    const bool good =
+        driver::parse_numbers(text, '/', 2, shard) && shard[0] >= 1 && shard[0] <= shard[1];
     return good ? std::string() : fmt::format("'{}' is no shard I/N with 1 <= I <= N", text);
 }
 
@@ -307,7 +324,8 @@ void add_outputs(CLI::App& sub, Options& options) {
     add("--depth", options.depth, "Distances from the camera; grey in 8-bit formats");
     add("--normals", options.normals, "Shading normals");
     add("--albedo", options.albedo, "Colours of the surfaces before lighting");
-    add("--sample-count", options.sample_count, "Samples that each pixel took");
+    add("--sample-count", options.sample_count,
+        "Samples that each pixel took; white is all of them in 8-bit formats");
     sub.add_option("--depth-range", options.view.depth_range,
                    "Distances that are white and black in 8-bit formats (default: those there are)")
         ->type_name("MIN,MAX")

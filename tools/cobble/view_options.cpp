@@ -13,6 +13,7 @@
 #include "ir/effects.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/driver/numbers.hpp"
 #include "tools/driver/report/reporter.hpp"
 
 namespace cobble {
@@ -27,11 +28,11 @@ constexpr std::uint32_t kMaxBounces = 1000;
 
 bool parse_size(std::string_view text, std::vector<std::uint32_t>& size) {
     const auto fits = [](std::uint32_t side) { return side >= 1 && side <= kMaxSide; };
-    return parse_numbers(text, 'x', 2, size) && fits(size[0]) && fits(size[1]);
+    return driver::parse_numbers(text, 'x', 2, size) && fits(size[0]) && fits(size[1]);
 }
 
 bool parse_crop(std::string_view text, std::vector<std::uint32_t>& crop) {
-    return parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
+    return driver::parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
 }
 
 std::string check_size(const std::string& text) {
