@@ -90,7 +90,6 @@ void check_singular_move(CheckContext& context, BlockNodeId id) {
             if (std::fabs(value.number) > 0x1p-150) continue;
             context.report(kSingularTransform, context.span(value.token),
                            fmt::format("a factor of {} must not be 0", context.name(id)));
-            break;
         }
     }
 }

@@ -53,7 +53,8 @@ TEST_CASE("a million nested blocks that are wrong in every way") {
         {repeated("} ", kMillion), "extra-brace"},
         {repeated("Unknown { } ", kMillion), "unknown-name"},
         {repeated("Unknown { ", kMillion), "missing-brace"},
-        {repeated("Sphere ", kMillion), "missing-brace"},
+        {repeated("Sphere ", kMillion), "misplaced-block"},
+        {repeated("Group ", kMillion), "missing-brace"},
         {repeated("Lights { PointLight { ", kMillion), "missing-brace"},
         {repeated("Materials {\n PhongMaterial {\n  Noise {\n }\n", kMillion / 4), "missing-brace"},
         // Each close lays one more Transform open to a name that may not stand in it, with all that
