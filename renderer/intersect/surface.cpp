@@ -411,8 +411,13 @@ template <typename T>
 Departure<T> leave_toward(const SurfacePoint<T>& surface, math::Vec3<T> target, T time) {
     Departure<T> d = leave(surface, target - surface.position, time);
     d.ray.direction = target - d.ray.origin;
-    // A light that is as near as a rounding: any direction, for nothing can be in between.
-    if (d.ray.direction == math::Vec3<T>{}) d.ray.direction = surface.geometric_normal;
+    // A light that is as near as a rounding: any direction, and no length, for nothing can be in
+    // between.
+    if (d.ray.direction == math::Vec3<T>{}) {
+        d.ray.direction = surface.geometric_normal;
+        d.ray.t_max = 0;
+        return d;
+    }
     // t of a surface through the target errs by some roundings of 1, and by those of the target's
     // coordinates in units of the way to it.
     T largest = 0;
