@@ -88,10 +88,10 @@ void check_bounds(int scenes, int shots) {
                         const auto s = surface_at(scene, r, hit);
                         const auto surface = surface_of(scene, hit.object, hit.face);
                         const bool narrowed = !surface.placed && s.kind == ir::ShapeKind::kBox;
-                        const double off =
-                            narrowed ? height_as_written(scene, scene.source->boxes[0], hit.face,
-                                                         s.position)
-                                     : height(surface, s.position);
+                        const double off = narrowed
+                                               ? height_as_written(scene, scene.source->boxes[0],
+                                                                   hit.face, s.position)
+                                               : height(surface, s.position);
                         worst[k] = std::max(worst[k], std::fabs(off) / double{s.error});
                     }
                 }

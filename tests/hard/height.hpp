@@ -63,10 +63,10 @@ double rise(const Surface<T>& s, Vec3<T> direction) {
     using oracle::exact;
     const Vec3d d = direction.template to<double>();
     const auto at = [&](std::size_t i) { return exact(s.triangle[i].template to<double>()); };
-    const auto n = s.kind == ir::ShapeKind::kPlane
-                       ? exact(s.plane.normal)
-                       : oracle::exact_cross(oracle::minus(at(1), at(0)),
-                                             oracle::minus(at(2), at(0)));
+    const auto n =
+        s.kind == ir::ShapeKind::kPlane
+            ? exact(s.plane.normal)
+            : oracle::exact_cross(oracle::minus(at(1), at(0)), oracle::minus(at(2), at(0)));
     const double size = std::sqrt(oracle::exact_dot(n, n).near().hi) * length(d);
     return oracle::exact_dot(n, exact(d)).near().hi / size;
 }
@@ -86,8 +86,7 @@ double height(const Surface<T>& s, Vec3<T> point) {
             const Vec3d c = s.sphere.center.template to<double>();
             const double r{s.sphere.radius};
             const auto f = oracle::minus(exact(p), exact(c));
-            above = (oracle::exact_dot(f, f) - Exact(r) * Exact(r)).near().hi /
-                    (length(p - c) + r);
+            above = (oracle::exact_dot(f, f) - Exact(r) * Exact(r)).near().hi / (length(p - c) + r);
             normal = normalize(p - c);
             break;
         }
@@ -110,8 +109,8 @@ double height(const Surface<T>& s, Vec3<T> point) {
             const auto at = [&](std::size_t i) {
                 return exact(s.triangle[i].template to<double>());
             };
-            const auto n = oracle::exact_cross(oracle::minus(at(1), at(0)),
-                                               oracle::minus(at(2), at(0)));
+            const auto n =
+                oracle::exact_cross(oracle::minus(at(1), at(0)), oracle::minus(at(2), at(0)));
             const double size = std::sqrt(oracle::exact_dot(n, n).near().hi);
             above = oracle::exact_dot(n, oracle::minus(exact(p), at(0))).near().hi / size;
             normal = Vec3d{n.x.near().hi, n.y.near().hi, n.z.near().hi} / size;

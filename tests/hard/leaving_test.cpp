@@ -13,8 +13,8 @@ using renderer::SurfacePoint;
 
 struct Tally {
     int hits = 0;
-    int again = 0;     ///< the same place was hit once more
-    int too_far = 0;   ///< the start passed a surface 4 bounds behind
+    int again = 0;    ///< the same place was hit once more
+    int too_far = 0;  ///< the start passed a surface 4 bounds behind
 };
 
 /// Shoots rays at a scene of twins (each object twice, in the same place, so that leaving out the

@@ -153,7 +153,8 @@ TEST_CASE("row 15: a light one ulp above a flat surface is seen from it") {
     check_planar<double>(40);
 }
 
-TEST_CASE("row 15: a light is seen from any surface from 2 bounds above it, though it is there twice") {
+TEST_CASE(
+    "row 15: a light is seen from any surface from 2 bounds above it, though it is there twice") {
     check_two_bounds<float>(400);
     check_two_bounds<double>(60);
 }

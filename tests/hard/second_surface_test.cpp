@@ -30,20 +30,15 @@ std::vector<Kind> kinds(double size, Vec3d c) {
     const Vec3d half = Vec3d{0.5, 0.7, 0.6} * size;
     return {
         {"sphere", [=](SceneMaker& m, double by, Vec3d) { m.sphere(c, radius + by); }},
-        {"triangle",
-         [=](SceneMaker& m, double by, Vec3d n) {
-             m.triangle(p0 + n * by, p1 + n * by, p2 + n * by);
-         }},
+        {"triangle", [=](SceneMaker& m, double by,
+                         Vec3d n) { m.triangle(p0 + n * by, p1 + n * by, p2 + n * by); }},
         {"box",
          [=](SceneMaker& m, double by, Vec3d) {
              m.box(c - half - Vec3d{by, by, by}, c + half + Vec3d{by, by, by});
          }},
-        {"plane",
-         [=](SceneMaker& m, double by, Vec3d) { m.plane(up, dot(up, c) + by); }},
-        {"mesh",
-         [=](SceneMaker& m, double by, Vec3d n) {
-             m.mesh(transformed(random_star(1, 3), size, c + n * by));
-         }},
+        {"plane", [=](SceneMaker& m, double by, Vec3d) { m.plane(up, dot(up, c) + by); }},
+        {"mesh", [=](SceneMaker& m, double by,
+                     Vec3d n) { m.mesh(transformed(random_star(1, 3), size, c + n * by)); }},
         {"instance",
          [=](SceneMaker& m, double by, Vec3d n) {
              m.mesh(random_star(1, 3));
@@ -101,8 +96,7 @@ Tally leave_toward_second(const Kind& kind, Vec3d center, double size, int shots
         if (!(gap[0] >= 4 * bound && gap[1] >= 4 * bound && gap[0] <= 12 * bound)) continue;
         // An edge of the second one may lie in the way.
         const auto rim = static_cast<T>(0.01);
-        const bool flat =
-            s.kind == ir::ShapeKind::kTriangle || s.kind == ir::ShapeKind::kMesh;
+        const bool flat = s.kind == ir::ShapeKind::kTriangle || s.kind == ir::ShapeKind::kMesh;
         if (flat && !(hit.u > rim && hit.v > rim && hit.u + hit.v < 1 - rim)) continue;
         if (s.kind == ir::ShapeKind::kBox) {
             bool inside = true;
@@ -125,8 +119,8 @@ Tally leave_toward_second(const Kind& kind, Vec3d center, double size, int shots
             const auto second = closest_hit(scene, next.ray, next.exclude, counters);
             if (second && second.object.value < 2) ++tally.again;
             // Its near side: no farther along the normal than the gap and the bounds.
-            const bool found = second && second.object.value >= 2 &&
-                               double{second.t} * cosine <= 14 * bound;
+            const bool found =
+                second && second.object.value >= 2 && double{second.t} * cosine <= 14 * bound;
             if (!found) ++tally.missed;
         }
     }
