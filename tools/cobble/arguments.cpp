@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "frontend/names/suggest.hpp"
 #include "frontend/source/diagnostic.hpp"
@@ -13,6 +14,14 @@
 #include "tools/driver/output.hpp"
 
 namespace cobble {
+namespace {
+
+std::string wants_text(std::string_view wants, std::string_view text) {
+    return fmt::format("wants {}, not '{}'", wants, text);
+}
+
+}  // namespace
+
 CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                       const std::string& description) {
     return app.add_option(name, values, description)
@@ -25,10 +34,14 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::s
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& choices, const std::string& description) {
     std::string shown;
-    for (const std::string& choice : choices) shown += (shown.empty() ? "" : "|") + choice;
-    const auto check = [choices, shown](const std::string& text) {
+    std::string listed;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        shown += (i == 0 ? "" : "|") + choices[i];
+        listed += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i];
+    }
+    const auto check = [choices, listed](const std::string& text) {
         const bool known = std::find(choices.begin(), choices.end(), text) != choices.end();
-        return known ? std::string() : "'" + text + "' is none of " + shown;
+        return known ? std::string() : wants_text(listed, text);
     };
     return app.add_option(name, value, description)
         ->type_name(shown)
@@ -37,11 +50,26 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
         ->capture_default_str();
 }
 
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& wants, std::function<bool(std::string_view)> take,
+                        const std::string& description) {
+    const auto check = [wants, take = std::move(take)](const std::string& text) {
+        return take(text) ? std::string() : wants_text(wants, text);
+    };
+    // The check has taken the value already.
+    return app
+        .add_option_function<std::string>(
+            name, [](const std::string&) {}, description)
+        ->type_name(type)
+        ->check(check)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
 CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high) {
     const auto check = [low, high](std::string& text) {
         std::uint64_t number = 0;
         if (!driver::parse_number(text, number) || number < low || number > high) {
-            return fmt::format("'{}' must be a whole number from {} to {}", text, low, high);
+            return wants_text(fmt::format("a whole number from {} to {}", low, high), text);
         }
         // CLI11 would take a leading 0 for a number to the base 8.
         text = std::to_string(number);
@@ -53,11 +81,12 @@ CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t
 CLI::Option* require_number(CLI::Option* option, double low, double high) {
     return option->check([low, high](const std::string& text) {
         double number = 0;
-        if (driver::parse_number(text, number) && number >= low && number <= high)
+        if (driver::parse_number(text, number) && number >= low && number <= high) {
             return std::string();
-        return std::isinf(high)
-                   ? fmt::format("'{}' must be a number of {} or more", text, low)
-                   : fmt::format("'{}' must be a number from {} to {}", text, low, high);
+        }
+        return wants_text(std::isinf(high) ? fmt::format("a number of {} or more", low)
+                                           : fmt::format("a number from {} to {}", low, high),
+                          text);
     });
 }
 
@@ -65,7 +94,7 @@ CLI::Option* require_above(CLI::Option* option, double low) {
     return option->check([low](const std::string& text) {
         double number = 0;
         if (driver::parse_number(text, number) && number > low) return std::string();
-        return fmt::format("'{}' must be a number above {}", text, low);
+        return wants_text(fmt::format("a number above {}", low), text);
     });
 }
 
