@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ir/assets/obj/mesh_normals.hpp"
-#include "ir/assets/transfer.hpp"
+#include "ir/math/srgb.hpp"
 #include "ir/math/elementary.hpp"
 
 namespace cobble::ir {
@@ -24,7 +24,7 @@ double radians(double degrees) { return degrees * (math::kPi / 180); }
 Color color(const std::optional<std::array<double, 3>>& written, Color fallback,
             const LowerOptions& options) {
     const Color display = written ? vec(*written) : fallback;
-    return options.decode_srgb ? srgb_to_linear(display) : display;
+    return options.decode_srgb ? math::srgb_to_linear(display) : display;
 }
 
 /// A unit vector perpendicular to a unit vector: with the axis along which it is smallest.

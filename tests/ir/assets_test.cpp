@@ -99,22 +99,98 @@ TEST_CASE("what is no file is unreadable, with the system's reason") {
     CHECK(built.lowered.diagnostics[0].message == "texture 'tex' cannot be read: it is a folder");
 }
 
-TEST_CASE("an image is read once, as a texture and as data") {
+TEST_CASE("all assets of a scene keep to one limit of bytes") {
+    MemoryFiles files;
+    for (const char* name : {"a", "b", "c"}) {
+        files.files["scene/" + std::string(name) + ".bmp"] = red(8, 4);
+    }
+    files.files["scene/n.hdr"] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\1\2\3\x80";
+    const std::string scene = scene_of(kSphere,
+                                       "Material { texture a.bmp }\nMaterial { texture b.bmp }\n"
+                                       "Material { texture ./a.bmp bump b.bmp }\n"
+                                       "Material { texture c.bmp }");
+    LowerOptions options;
+    options.limits.asset_bytes = std::uint64_t{3} * 8 * 4 * 3;
+    CHECK(build(scene, files, options).codes().empty());
+    --options.limits.asset_bytes;
+    auto built = build(scene, files, options);
+    REQUIRE(built.codes() == Strings{"asset-too-large"});
+    const auto& diagnostic = built.lowered.diagnostics[0];
+    CHECK(named(built, 0) == "c.bmp");
+    CHECK(diagnostic.message ==
+          "texture 'c.bmp' is too large: it takes 96 bytes (8 x 4 pixels), and of the 287 bytes "
+          "for all assets of a scene together 95 are left");
+    CHECK(diagnostic.notes == Strings{"tried 'scene/c.bmp'"});
+    CHECK(built.scene().images.back().missing);
+
+    // Floats take four times the bytes, whether they come from the file or are made.
+    options.limits.asset_bytes = 12;
+    CHECK(with_texture(files, "texture n.hdr", options).codes().empty());
+    options.limits.asset_bytes = 11;
+    CHECK(with_texture(files, "texture n.hdr", options).codes() == Strings{"asset-too-large"});
+    options.limits.asset_bytes = 96;
+    CHECK(with_texture(files, "texture a.bmp", options).codes().empty());
+    options.decode_srgb = true;
+    CHECK(with_texture(files, "texture a.bmp", options).codes() == Strings{"asset-too-large"});
+    options.limits.asset_bytes = 96 * 5;
+    CHECK(with_texture(files, "texture a.bmp bump a.bmp", options).codes().empty());
+    --options.limits.asset_bytes;
+    CHECK(with_texture(files, "texture a.bmp bump a.bmp", options).codes() ==
+          Strings{"asset-too-large"});
+}
+
+TEST_CASE("a picture that claims much is not decoded for want of room") {
+    MemoryFiles files;
+    // 300 million pixels' worth of zeros in some 100 KB would be caught on the way; this is told
+    // from its header.
+    files.files["scene/bomb.png"] = png_of_stream(8000, 8000, 2, deflate_zeros(1U << 20));
+    LowerOptions options;
+    options.limits.asset_bytes = 100'000'000;
+    const auto built = with_texture(files, "texture bomb.png", options);
+    REQUIRE(built.codes() == Strings{"asset-too-large"});
+    CHECK(built.lowered.diagnostics[0].message ==
+          "texture 'bomb.png' is too large: it takes 192000000 bytes (8000 x 8000 pixels), and of "
+          "the 100000000 bytes for all assets of a scene together 100000000 are left");
+}
+
+TEST_CASE("meshes count to the bytes of all assets, with their text") {
+    MemoryFiles files;
+    files.files["scene/m.obj"] = kTriangle;
+    files.files["scene/fan.obj"] = kTriangle + "f 1 2 3 1 2 3 \\\n1 2 3\nvn 0 0 1\nvt 0 0\n";
+    const auto codes = [&](const char* name, std::uint64_t limit) {
+        LowerOptions options;
+        options.limits.asset_bytes = limit;
+        return build(scene_of(std::string("TriangleMesh { obj_file ") + name + " }"), files,
+                     options)
+            .codes();
+    };
+    const std::uint64_t triangle = kTriangle.size() + std::uint64_t{3} * 24 + 40;
+    CHECK(codes("m.obj", triangle).empty());
+    CHECK(codes("m.obj", triangle - 1) == Strings{"asset-too-large"});
+    const std::uint64_t fan = files.files["scene/fan.obj"].size() + 3 * 24 + 8 * 40 + 24 + 16;
+    // Texture coordinates are taken for larger than they are.
+    CHECK(codes("fan.obj", fan + 8) == Strings{"asset-mesh-degenerate-face"});
+    CHECK(codes("fan.obj", fan - 1) == Strings{"asset-too-large"});
+}
+
+TEST_CASE("an image is read and kept once, as a texture and as data") {
     MemoryFiles files;
     files.files["scene/t.bmp"] = bmp(2, 2, [](auto x, auto y) { return (x + 2 * y) * 0x102030U; });
     const auto built = build(scene_of(kSphere,
+                                      "Material { bump t.bmp }\n"
                                       "Material { texture t.bmp normal ./t.bmp }\n"
                                       "Material { texture t.bmp bump t.bmp }"),
                              files);
     CHECK(built.codes().empty());
     CHECK(files.reads["scene/t.bmp"] == 1);
     const Scene& scene = built.scene();
-    REQUIRE(scene.images.size() == 2);
+    REQUIRE(scene.images.size() == 1);
     CHECK(scene.images[0].tag == ColorTag::kDisplay);
-    CHECK(scene.images[1].tag == ColorTag::kData);
-    CHECK(scene.images[0].bytes == scene.images[1].bytes);
-    CHECK(scene.images[0].source == scene.images[1].source);
-    CHECK(scene.materials[1].bump_map == scene.materials[0].normal_map);
+    CHECK(!scene.images[0].constant);
+    CHECK(scene.materials[1].texture == scene.materials[1].normal_map);
+    CHECK(scene.materials[2].bump_map == scene.materials[0].bump_map);
+    const auto data = build(scene_of(kSphere, "Material { bump t.bmp }"), files);
+    CHECK(data.scene().images.at(0).tag == ColorTag::kData);
 }
 
 TEST_CASE("cube maps take the first ending that all six faces have") {

@@ -57,7 +57,7 @@ std::string check_picture_path(const std::string& path, std::uint32_t width, std
                                std::uint32_t channels) {
     const auto format = renderer::picture_format(path);
     if (!format) return unknown_ending(path);
-    const std::string problem = renderer::problem_of_size(width, height, channels);
+    const std::string problem = renderer::problem_of_size(width, height);
     if (!problem.empty()) return fmt::format("cannot write {}: {}", path, problem);
     const std::uint64_t pixels = std::uint64_t{width} * height;
     // The sizes of the formats without compression are known beforehand.

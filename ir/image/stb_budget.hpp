@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace cobble::ir {
+namespace cobble::image {
 
 /// While it lives, decoding on this thread may hold at most `bytes`; beyond, it fails.
 class StbBudget {
@@ -16,4 +16,4 @@ class StbBudget {
     ~StbBudget();
 };
 
-}  // namespace cobble::ir
+}  // namespace cobble::image

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "ir/assets/stb_budget.hpp"
+#include "ir/image/stb_budget.hpp"
 
-namespace cobble::ir {
+namespace cobble::image {
 namespace {
 
 thread_local std::size_t budget_left = 0;
@@ -49,19 +49,19 @@ void* reallocate(void* pointer, std::size_t size) {
 StbBudget::StbBudget(std::size_t bytes) { budget_left = bytes; }
 StbBudget::~StbBudget() { budget_left = 0; }
 
-}  // namespace cobble::ir
+}  // namespace cobble::image
 
 #define STBI_ONLY_BMP
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_TGA
-#define STBI_ONLY_HDR
+#define STBI_NO_LINEAR
 #define STBI_NO_SIMD
 #define STBI_NO_STDIO
 #define STBI_ASSERT(x) ((void)0)
-#define STBI_MALLOC(size) cobble::ir::allocate(size)
-#define STBI_REALLOC(pointer, size) cobble::ir::reallocate(pointer, size)
-#define STBI_FREE(pointer) cobble::ir::release(pointer)
+#define STBI_MALLOC(size) cobble::image::allocate(size)
+#define STBI_REALLOC(pointer, size) cobble::image::reallocate(pointer, size)
+#define STBI_FREE(pointer) cobble::image::release(pointer)
 #define STB_IMAGE_IMPLEMENTATION
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wall"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "ir/assets/image_integrity.hpp"
+#include "ir/image/integrity.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
 
-namespace cobble::ir {
+#include "ir/image/radiance.hpp"
+
+namespace cobble::image {
 namespace {
 
 constexpr std::string_view kPngMark("\x89PNG\r\n\x1a\n", 8);
@@ -121,72 +122,6 @@ std::string tga_damage(std::string_view bytes) {
     return at > bytes.size() ? kCutShort : "";
 }
 
-// The next line of an HDR header, without its end.
-std::optional<std::string_view> header_line(std::string_view bytes, std::size_t& at) {
-    const std::size_t end = bytes.find('\n', at);
-    if (end == std::string_view::npos) return std::nullopt;
-    const auto line = bytes.substr(at, end - at);
-    at = end + 1;
-    return line;
-}
-
-std::string hdr_damage(std::string_view bytes) {
-    std::size_t at = 0;
-    for (;;) {
-        const auto line = header_line(bytes, at);
-        if (!line) return kCutShort;
-        // Longer lines than any reader's buffer would be cut there, and mean something else.
-        if (line->size() > 1000) return "a line of its header is too long";
-        if (line->empty()) break;
-    }
-    const auto size_line = header_line(bytes, at);
-    if (!size_line) return kCutShort;
-    const std::string text(*size_line);
-    char* rest = nullptr;
-    if (!text.starts_with("-Y ")) return "its rows are not stored from the top";
-    const long height = std::strtol(text.c_str() + 3, &rest, 10);
-    while (*rest == ' ') ++rest;
-    if (std::string_view(rest).substr(0, 3) != "+X ")
-        return "its rows are not stored from the left";
-    const long width = std::strtol(rest + 3, nullptr, 10);
-    constexpr long kMost = 1 << 24;
-    if (width <= 0 || height <= 0 || width > kMost || height > kMost)
-        return "its size is out of range";
-    const auto w = static_cast<std::uint64_t>(width);
-    const auto h = static_cast<std::uint64_t>(height);
-    const auto flat = [&](std::size_t from) {
-        return w * h * 4 > bytes.size() - from ? kCutShort : "";
-    };
-    if (w < 8 || w >= 32768) return flat(at);
-    for (std::uint64_t y = 0; y < h; ++y) {
-        if (bytes.size() - at < 4) return kCutShort;
-        const bool runs =
-            byte_at(bytes, at) == 2 && byte_at(bytes, at + 1) == 2 && byte_at(bytes, at + 2) < 128;
-        if (!runs) return y == 0 ? flat(at) : "a row is not packed like the others";
-        if ((byte_at(bytes, at + 2) << 8 | byte_at(bytes, at + 3)) != w) {
-            return "a row has another length than the picture";
-        }
-        at += 4;
-        for (int channel = 0; channel < 4; ++channel) {
-            for (std::uint64_t x = 0; x < w;) {
-                if (bytes.size() - at < 2) return kCutShort;
-                std::uint64_t count = byte_at(bytes, at++);
-                if (count == 0) return "a run of pixels has no length";
-                if (count > 128) {
-                    count -= 128;
-                    ++at;
-                } else {
-                    if (count > bytes.size() - at) return kCutShort;
-                    at += static_cast<std::size_t>(count);
-                }
-                x += count;
-                if (x > w) return "a run of pixels is longer than its row";
-            }
-        }
-    }
-    return {};
-}
-
 /// The decoder takes any number of 0xff before the first mark's code, and so must whoever guards
 /// it.
 bool is_jpeg(std::string_view bytes) {
@@ -212,26 +147,26 @@ bool has_oversized_table(std::string_view bytes, std::size_t at) {
     return false;
 }
 
+/// Walks from mark to mark, as the decoder does: what stands inside segments and compressed data is
+/// not looked at, for it may look like anything.
 std::string jpeg_damage(std::string_view bytes) {
-    constexpr const char* kOversized = "a Huffman table has more than 256 symbols";
-    // Up to the first scan, segment by segment: what a camera notes may look like a table.
-    std::size_t at = bytes.find_first_not_of('\xff') + 1;
+    std::size_t at = bytes.find_first_not_of('\xff') + 1;  // behind the first mark's code
+    bool in_scan = false;
     for (;;) {
         at = bytes.find('\xff', at);
         at = at == std::string_view::npos ? at : bytes.find_first_not_of('\xff', at);
         if (at == std::string_view::npos) return kCutShort;
         const std::uint64_t code = byte_at(bytes, at++);
-        if (code == 0xda) break;
-        if (code == 0 || (code >= 0xd0 && code <= 0xd9)) continue;  // marks without a length
-        if (code == 0xc4 && has_oversized_table(bytes, at)) return kOversized;
+        // A byte of data that is 0xff, or the start of a scan's next part.
+        if (code == 0 || (code >= 0xd0 && code <= 0xd7)) continue;
+        if (code == 0xd8) continue;
+        if (code == 0xd9) return in_scan ? "" : kCutShort;
+        if (code == 0xda) in_scan = true;
+        if (code == 0xc4 && has_oversized_table(bytes, at)) {
+            return "a Huffman table has more than 256 symbols";
+        }
         at += std::max<std::size_t>(2, segment_length(bytes, at));
     }
-    // From there on at every mark of tables, which compressed data cannot contain.
-    for (at = bytes.find("\xff\xc4", at); at != std::string_view::npos;
-         at = bytes.find("\xff\xc4", at + 1)) {
-        if (has_oversized_table(bytes, at + 2)) return kOversized;
-    }
-    return bytes.rfind("\xff\xd9") == std::string_view::npos ? kCutShort : "";
 }
 
 }  // namespace
@@ -240,7 +175,7 @@ std::string_view image_format(std::string_view bytes) {
     if (bytes.starts_with(kPngMark)) return "PNG";
     if (bytes.starts_with("BM")) return "BMP";
     if (is_jpeg(bytes)) return "JPEG";
-    if (bytes.starts_with("#?RADIANCE") || bytes.starts_with("#?RGBE")) return "HDR";
+    if (is_radiance(bytes)) return "HDR";
     return {};
 }
 
@@ -248,9 +183,9 @@ std::string find_damage(std::string_view bytes) {
     const std::string_view format = image_format(bytes);
     if (format == "PNG") return png_damage(bytes);
     if (format == "BMP") return bmp_damage(bytes);
-    if (format == "HDR") return hdr_damage(bytes);
+    if (format == "HDR") return read_radiance_header(bytes).problem;
     if (format == "JPEG") return jpeg_damage(bytes);
     return bytes.size() < 18 ? kCutShort : tga_damage(bytes);
 }
 
-}  // namespace cobble::ir
+}  // namespace cobble::image
