@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 
 namespace cobble::frontend {
 namespace {
@@ -30,12 +31,7 @@ const source::DiagnosticCode kAngleOutOfRange{
     "the camera's opening angle is impossible",
     "`angle` is the full vertical opening angle in degrees. At 0 nothing is seen, and at 180 the "
     "picture plane is infinitely wide.",
-    "PerspectiveCamera {\n"
-    "    center 0 0 10\n"
-    "    direction 0 0 -1\n"
-    "    up 0 1 0\n"
-    "    angle 180\n"
-    "}\n",
+    camera_example("angle 180\n"),
     "Write an angle above 0 and below 180 degrees; 30 to 60 look natural."};
 
 const source::DiagnosticCode kRadiusNotPositive{"radius-not-positive",

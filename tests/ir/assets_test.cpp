@@ -271,6 +271,29 @@ TEST_CASE("problems of a mesh stand in the mesh, with the scene's path beside th
         CHECK(with_mesh(files, kTriangle + "v 1 2\n").codes() == Strings{"asset-mesh-statement"});
         CHECK(with_mesh(files, kTriangle + "f 1 2\n").codes() == Strings{"asset-mesh-face"});
     }
+    SUBCASE("a texture coordinate that is no number") {
+        for (const std::string bad : {"nan", "1e39"}) {
+            CAPTURE(bad);
+            const auto built = with_mesh(files, kTriangle + "vt " + bad + " 0\nf 1/1 2/1 3/1\n");
+            REQUIRE(built.codes() == Strings{"asset-mesh-number"});
+            const auto& diagnostic = built.lowered.diagnostics[0];
+            CHECK(named(built, 0) == bad);
+            CHECK(built.sources->path(diagnostic.span.source) == "scene/m.obj");
+            REQUIRE(diagnostic.related.size() == 1);
+            CHECK(built.sources->text(diagnostic.related[0].span) == "m.obj");
+            CHECK(built.scene().meshes.at(0).faces.size() == 1);
+        }
+    }
+    SUBCASE("unknown keywords") {
+        const auto built = with_mesh(files, kTriangle + "s off\nhello 1 2\nhello 3\n");
+        REQUIRE(built.codes() == Strings{"asset-mesh-keyword"});
+        CHECK(built.lowered.diagnostics[0].severity == source::Severity::kWarning);
+        CHECK(named(built, 0) == "hello");
+        CHECK(built.lowered.renderable);
+        const auto many = with_mesh(files, kTriangle + "a\nb\nc\nd\ne\nh\n");
+        REQUIRE(many.codes().size() == 5);
+        CHECK(many.lowered.diagnostics[4].notes == Strings{"other words are not listed"});
+    }
     SUBCASE("too many faces") {
         files.files["scene/m.obj"] = kTriangle + "f 1 2 3\nf 1 2 3\n";
         LowerOptions options;
@@ -373,7 +396,7 @@ TEST_CASE("every code of this library has its page") {
         CHECK(!code->example.empty());
         CHECK(!code->mend.empty());
     }
-    CHECK(count == 18);
+    CHECK(count == 19);
 }
 
 TEST_CASE("--transfer srgb decodes colours and pictures, but no data") {
