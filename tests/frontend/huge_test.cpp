@@ -8,6 +8,7 @@
 
 #include "frontend/ast/ast.hpp"
 #include "frontend/check/check.hpp"
+#include "frontend/format/format.hpp"
 #include "frontend/parse/cst.hpp"
 #include "tests/frontend/tree_invariants.hpp"
 
@@ -40,6 +41,18 @@ TEST_CASE("a million nested blocks") {
     CHECK(bound.diagnostics.empty());
     CHECK(bound.ast.blocks.size() == kMillion);
     CHECK(bound.ast.roots.size() == 1);
+}
+
+TEST_CASE("a million nested blocks are checked and formatted") {
+    const std::string text = repeated("Group { ", kMillion) + repeated("} ", kMillion);
+    const CheckedScene scene = check(kSource, text);
+    REQUIRE(!scene.diagnostics.empty());
+    CHECK(scene.diagnostics[0].code->code == "missing-section");
+    const FormatResult formatted = format(text);
+    CHECK(!formatted.refused);
+    // A line for each brace, indented by no more than 20 levels of four: deeper ones would make a
+    // text of a million million bytes.
+    CHECK(formatted.text.size() < 2 * kMillion * (20 * 4 + sizeof("Group {\n")));
 }
 
 TEST_CASE("a million nested blocks that are wrong in every way") {

@@ -104,7 +104,9 @@ int main(int argc, char** argv) {
     }
     // Half of what quadratic work would take; what fits into the caches makes up to 30 of the 10.
     constexpr bench::Limit kLinear = bench::at_most(50);
-    fmt::print("== Growth: ten times as much text, one thread, processor time\n\n");
+    fmt::print(
+        "== Growth: ten times as much text (linear is 10, quadratic 100), one thread, processor "
+        "time\n\n");
     fmt::print("{:<42}{:<8}{:>8}{:>10}{:>9}{:>18}\n", "", "phase", "MB", "ms", "MB/s",
                "x a tenth of it");
     for (const Row& row : rows) {
