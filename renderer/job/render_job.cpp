@@ -150,7 +150,8 @@ class Job final : public RenderJob {
             if (cancelled() || Clock::now() >= deadline) return false;
         }
         prepared_ = !cancelled();
-        return prepared_;
+        // Where that was a step of its own, it is not to be made longer by rays.
+        return prepared_ && Clock::now() < deadline;
     }
 
     void prepare_all() {

@@ -372,6 +372,7 @@ class Preparation {
             triangles.push_back({v, id, f});
         }
         placed.tree = build_tree(items, options().cancelled);
+        if (cancelled()) items.clear();
         placed.triangles.reserve(items.size());
         for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
         geometry().meshes.push_back(std::move(placed));
@@ -390,6 +391,7 @@ class Preparation {
     void sort_into_leaves() {
         Geometry<T>& g = geometry();
         g.tree = build_tree(items_, options().cancelled);
+        if (cancelled()) return;
         sort_kind(PrimitiveKind::kTriangle, g.triangles);
         sort_kind(PrimitiveKind::kSphere, g.spheres);
         sort_kind(PrimitiveKind::kBox, g.boxes);

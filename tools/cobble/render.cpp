@@ -233,10 +233,8 @@ class Render {
             driver::Positions positions(view_.loaded.session->sources);
             const ir::Scene& scene = view_.loaded.lowered.scene;
             const auto notes = driver::without_checked(stats.notes, scene);
-            const bool wide = view_.compat != ir::Compat::kNone ||
-                              view_.settings.precision == renderer::Precision::kDouble;
-            driver::write_error(
-                driver::notes_to_text(notes, scene, positions, wide ? "double" : "float"));
+            driver::write_error(driver::notes_to_text(notes, scene, positions,
+                                                      driver::prepared_in(scene, view_.settings)));
         }
         if (options_.stats.empty()) return status;
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
