@@ -137,6 +137,9 @@ void add_fmt(CLI::App& app, Context& context) {
                options->range, "Format only these lines, from 1 and inclusive");
     sub->add_option("--stdin-filepath", options->stdin_path, "What messages call standard input")
         ->type_name("P");
+    sub->footer(
+        "A file is replaced whole, so that nothing can leave half of it. Symbolic links are "
+        "followed; of\nseveral hard links to one file only the one that was named is replaced.");
     sub->callback([options, &context] {
         context.run = [options, &context] { return Format(*options, context).run(); };
     });

@@ -12,7 +12,7 @@ struct DiffStyle {
     unsigned context = 3;  ///< unchanged lines around each change
 };
 
-/// "" for equal texts. Lines are compared byte for byte and end at LF. The result is correct but
+/// "" for equal texts. Names are written so that `patch` takes them, whatever they hold. Lines are compared byte for byte and end at LF. The result is correct but
 /// not always the shortest: where two stretches differ in more than a few hundred places, and have
 /// no line in common that occurs once in each, they are shown as replaced whole. This keeps the
 /// cost near linear.
