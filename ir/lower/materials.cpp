@@ -15,9 +15,8 @@ using frontend::BlockNodeId;
 using frontend::BlockView;
 using frontend::CheckedScene;
 using grammar::BlockId;
+using math::vec;
 using math::Vec3d;
-
-Vec3d vec(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 double radians(double degrees) { return degrees * (math::kPi / 180); }
 

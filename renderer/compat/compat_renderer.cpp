@@ -94,7 +94,7 @@ class CompatRenderer : public TileRenderer {
         state.trace.step(scene_, work.counters);
         state.tracing = !state.trace.done();
         if (state.tracing) return;
-        if (is_finite(state.trace.color())) {
+        if (finite(state.trace.color())) {
             state.lens_sum += state.trace.color();
         } else {
             report(state, work, x / scene_.rules.grid, y / scene_.rules.grid);

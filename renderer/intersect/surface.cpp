@@ -38,10 +38,6 @@ struct Local {
 Vec3d to_double(Vec3<double> a) { return a; }
 Vec3d to_double(Vec3<math::DoubleDouble> a) { return a.to<double>(); }
 
-bool finite(Vec3d a) {
-    return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z) <= std::numeric_limits<double>::max();
-}
-
 /// Unit length, for vectors of any size: scaled by a power of two first, so that no square leaves
 /// the range. A zero vector stays zero.
 Vec3d unit(Vec3d a) {
@@ -206,13 +202,7 @@ Affined between(const ir::Scene& scene, const ir::Keys& keys, double time) {
     const Affined a = scene.placements[keys.first + at.index].world_to_object;
     if (at.fraction == 0) return a;
     const Affined b = scene.placements[keys.first + at.index + 1].world_to_object;
-    Affined result;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) {
-            result.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], at.fraction);
-        }
-    }
-    return result;
+    return lerp(a, b, at.fraction);
 }
 
 template <typename T>

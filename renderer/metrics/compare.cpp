@@ -53,10 +53,6 @@ math::Vec3d pixel_of(const Plane32& plane, std::size_t index) {
             static_cast<double>(p[2 * step])};
 }
 
-bool finite(math::Vec3d v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// Rows of both pictures that are worked on at once.
 struct Band {
     std::size_t first, end;  ///< whose differences are wanted

@@ -4,6 +4,7 @@
 
 #include "renderer/intersect/query.hpp"
 #include "tests/hard/scenes.hpp"
+#include "tests/render/scene_builder.hpp"
 
 namespace cobble::test {
 
@@ -70,10 +71,18 @@ TEST_CASE("row 27: normals stay perpendicular and outside under uneven scale and
             const auto s = surface_at(scene, r, hit);
             const Vec3d n = s.geometric_normal.to<double>();
             const auto& f = solid.faces[hit.face];
-            const Vec3d e = normalize(map.vector(solid.positions[f[1]] - solid.positions[f[0]]));
-            // The map itself was narrowed: its rounding tilts edges by the condition's worth.
-            const double condition = math::condition(map, *math::inverse(map));
-            worst = std::max(worst, std::fabs(dot(n, e)) / (4 * 0x1p-23 * condition));
+            // The map as the instance means it: narrowed, then inverted.
+            const auto& g = scene.geometry;
+            const auto means = math::inverse(g.instance_keys[0].world_to_object.to<double>());
+            REQUIRE(means);
+            for (const auto& t : g.meshes[0].triangles) {
+                if (t.face != hit.face) continue;
+                for (std::size_t c = 1; c < 3; ++c) {
+                    const Vec3d e = (t.vertices[c].to<double>() - t.vertices[0].to<double>());
+                    const double off = std::fabs(dot(n, normalize(means->vector(e))));
+                    worst = std::max(worst, off / (4 * 0x1p-23));
+                }
+            }
             inward += dot(n, map.point((solid.positions[f[0]] + solid.positions[f[1]] +
                                         solid.positions[f[2]]) /
                                        3.0) -
@@ -112,6 +121,24 @@ TEST_CASE("row 28: a mesh modelled 1e7 away and moved back is the mesh") {
         }
     }
     CHECK(differ < 20);
+    // And in pictures no step of eight bits tells.
+    for (SceneMaker* make : {&near, &back}) {
+        make->scene.camera.center = {0.3, 0.2, 4};
+        make->scene.background.color = {0.2, 0.3, 0.5};
+        ir::Light light;
+        light.position = {3, 4, 5};
+        light.color = {0.8, 0.8, 0.8};
+        make->scene.lights.push_back(light);
+    }
+    const auto close = settings(64, 48, 1, effects({Effect::kShadows}));
+    const auto x = render(near.scene, close).picture.color;
+    const auto y = render(back.scene, close).picture.color;
+    double worst = 0;
+    for (std::size_t i = 0; i < x.values.size(); ++i) {
+        worst = std::max(worst, std::fabs(double{x.values[i]} - double{y.values[i]}));
+    }
+    CHECK(worst <= 1 / 255.0);
+    CHECK(x.values[(24 * 64 + 32) * 3] != x.values[0]);
 }
 
 TEST_CASE("row 29: tangents from every kind of texture coordinates are finite, or none") {

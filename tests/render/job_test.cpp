@@ -196,7 +196,7 @@ TEST_CASE("a cancelled picture keeps the pixels that were finished") {
     CHECK(finished < 256 * 256);
 }
 
-TEST_CASE("samples that are no numbers are counted, located and left out") {
+TEST_CASE("row 40: samples that are no numbers are counted, located and left out") {
     // Too bright for a float: infinity on the sphere, in single precision only.
     SceneBuilder b;
     b.background({0.25, 0.25, 0.25});

@@ -116,7 +116,7 @@ TEST_CASE("a place on a face leads back to its direction") {
     }
 }
 
-TEST_CASE("colours are continuous over all twelve edges, from both sides") {
+TEST_CASE("row 33: colours are continuous over all twelve edges, from both sides") {
     for (const std::uint32_t size : {1U, 2U, 5U, 16U}) {
         const ir::Scene scene = scrambled(size);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -144,7 +144,7 @@ TEST_CASE("colours are continuous over all twelve edges, from both sides") {
     }
 }
 
-TEST_CASE("neighbours over an edge are the texels that touch there") {
+TEST_CASE("row 33: neighbours over an edge are the texels that touch there") {
     // Nearest colours on both sides of an edge, a quarter of a texel away from it, are the two
     // that bilinear mixes half and half on it.
     const std::uint32_t size = 8;
@@ -171,7 +171,7 @@ TEST_CASE("neighbours over an edge are the texels that touch there") {
     }
 }
 
-TEST_CASE("directions that are none are safe") {
+TEST_CASE("row 33: directions that are none are safe") {
     const ir::Scene scene = scrambled(4);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
