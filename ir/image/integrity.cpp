@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "ir/image/crc32.hpp"
 #include "ir/image/radiance.hpp"
 
 namespace cobble::image {
@@ -25,24 +26,6 @@ std::uint64_t little(std::string_view s, std::size_t at, std::size_t count) {
 std::uint64_t big32(std::string_view s, std::size_t at) {
     return byte_at(s, at) << 24 | byte_at(s, at + 1) << 16 | byte_at(s, at + 2) << 8 |
            byte_at(s, at + 3);
-}
-
-// CRC-32 as PNG defines it (ISO 3309, polynomial 0xedb88320 reflected).
-constexpr auto kCrcTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-        std::uint32_t c = n;
-        for (int k = 0; k < 8; ++k) c = (c & 1) != 0 ? 0xedb88320U ^ (c >> 1) : c >> 1;
-        table[n] = c;
-    }
-    return table;
-}();
-
-std::uint32_t crc32(std::string_view bytes) {
-    std::uint32_t c = 0xffffffffU;
-    for (const char byte : bytes)
-        c = kCrcTable[(c ^ static_cast<std::uint8_t>(byte)) & 255] ^ (c >> 8);
-    return c ^ 0xffffffffU;
 }
 
 std::string png_damage(std::string_view bytes) {

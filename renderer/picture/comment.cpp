@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "ir/image/crc32.hpp"
+
 namespace cobble::renderer {
 namespace {
 
@@ -39,23 +41,13 @@ std::uint64_t number(std::string_view bytes, std::size_t at, unsigned count, boo
     return value;
 }
 
-/// PNG specification, annex D: CRC-32 of ISO 3309, here bit by bit as it is for one short chunk.
-std::uint32_t crc32(std::string_view bytes) {
-    std::uint32_t crc = 0xffffffff;
-    for (const char c : bytes) {
-        crc ^= static_cast<std::uint8_t>(c);
-        for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xedb88320 : 0);
-    }
-    return ~crc;
-}
-
 void add_to_png(std::string& bytes, std::string_view comment) {
     std::string chunk = "tEXt";
     chunk += kPngKeyword;
     chunk += comment;
     const auto length = static_cast<std::uint32_t>(chunk.size() - 4);
     // The header's chunk comes first: 13 bytes between 8 of length and name and 4 of checksum.
-    bytes.insert(kPngMagic.size() + 8 + 13 + 4, big32(length) + chunk + big32(crc32(chunk)));
+    bytes.insert(kPngMagic.size() + 8 + 13 + 4, big32(length) + chunk + big32(image::crc32(chunk)));
 }
 
 std::string png_comment(std::string_view bytes) {
