@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ir/assets/obj/mesh_normals.hpp"
-#include "ir/math/srgb.hpp"
 #include "ir/math/elementary.hpp"
+#include "ir/math/srgb.hpp"
 
 namespace cobble::ir {
 namespace {
