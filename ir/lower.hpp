@@ -21,6 +21,9 @@ struct Limits {
     std::uint64_t file_bytes = std::uint64_t{2} << 30;    ///< of any one asset
     std::uint64_t image_pixels = std::uint64_t{1} << 28;  ///< width times height
     std::uint64_t mesh_faces = std::uint64_t{1} << 28;
+    /// Of all assets of a scene together, in memory: pixels, vertices and faces of meshes, and
+    /// their text. What does not fit is left out like a missing file.
+    std::uint64_t asset_bytes = std::uint64_t{2} << 30;
 };
 
 struct LowerOptions {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "frontend/ast/ast.hpp"
 
-#include <algorithm>
-
 namespace cobble::frontend {
 
 const FieldNode* Ast::find(BlockNodeId id, grammar::FieldId row) const {
@@ -11,15 +9,6 @@ const FieldNode* Ast::find(BlockNodeId id, grammar::FieldId row) const {
         if (field.row == row && !field.broken) found = &field;
     }
     return found;
-}
-
-BlockNodeId Ast::block_of(NodeId cst) const {
-    // Blocks stand in the order of their CST nodes.
-    const auto found =
-        std::lower_bound(blocks.begin(), blocks.end(), cst,
-                         [](const BlockNode& node, NodeId wanted) { return node.cst < wanted; });
-    if (found == blocks.end() || found->cst != cst) return {};
-    return {static_cast<std::uint32_t>(found - blocks.begin())};
 }
 
 }  // namespace cobble::frontend

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The abstract syntax tree: blocks and fields of the vocabulary, with typed values.
-// Input: tokens and CST. Output: flat arrays, bound to the CST both ways, and the diagnostics of
+// Input: tokens and CST. Output: flat arrays, bound to the CST, and the diagnostics of
 // everything that could not be bound (unknown names, misplaced blocks, malformed values, braces).
 // Invariant: a node or field that is wrong in itself is kept and marked `broken`, so that later
 // phases neither trip over it nor complain about what follows from it.
@@ -52,7 +52,8 @@ struct BlockNode {
 
 struct Ast {
     source::SourceId source;
-    std::vector<BlockNode> blocks;      ///< in preorder of the file
+    /// In preorder of the file, and so in the order of their CST nodes.
+    std::vector<BlockNode> blocks;
     std::vector<BlockNodeId> children;  ///< the children of one block are neighbours
     std::vector<FieldNode> fields;      ///< the fields of one block are neighbours
     std::vector<Value> values;
@@ -73,8 +74,6 @@ struct Ast {
     }
     /// The field that counts: the last unbroken one with this row (the last wins), or null.
     [[nodiscard]] const FieldNode* find(BlockNodeId id, grammar::FieldId row) const;
-    /// The block that a CST node became, or an invalid id.
-    [[nodiscard]] BlockNodeId block_of(NodeId cst) const;
 };
 
 struct BoundAst {

@@ -48,13 +48,28 @@ class Binder {
         BlockNodeId block;    ///< invalid for the file and for blocks that nobody knows
         const BlockRow* row;  ///< null for the same
         bool ignored;         ///< nobody knows what its members mean
-        std::size_t first_child;
-        std::size_t first_field;
-        std::size_t first_unknown;
+        bool misplaced;       ///< its name is wrong here, and its members may show that
+        std::uint32_t first_child;
+        std::uint32_t first_field;
+        std::uint32_t first_unknown;
     };
 
-    Level level_of(NodeId node, BlockNodeId block, const BlockRow* row, bool ignored) {
-        return {node, block, row, ignored, children_.size(), fields_.size(), unknown_.size()};
+    Level level_of(NodeId node, BlockNodeId block, const BlockRow* row, bool misplaced) {
+        return {node,
+                block,
+                row,
+                false,
+                misplaced,
+                size_of(children_),
+                size_of(fields_),
+                size_of(unknown_)};
+    }
+
+    // What stands in an ignored block is ignored at any depth: the outermost one is a level enough.
+    void ignore_members(NodeId node) {
+        if (levels_.back().ignored) return;
+        levels_.push_back(level_of(node, {}, nullptr, false));
+        levels_.back().ignored = true;
     }
 
     void end_levels_before(std::uint32_t node) {
@@ -99,10 +114,15 @@ class Binder {
                 present.push_back(fields_[i].row);
             }
             for (std::size_t i = level.first_unknown; i < unknown_.size(); ++i) {
+                if (level.misplaced && is_word_of_language(unknown_[i])) continue;
                 report_unknown_name(cst_.node(unknown_[i]), level.row, present, reporter_);
             }
         }
         unknown_.resize(level.first_unknown);
+    }
+
+    [[nodiscard]] bool is_word_of_language(NodeId id) const {
+        return grammar::find_word(tokens_.text_of({cst_.node(id).first_token})).valid();
     }
 
     void bind_node(NodeId id) {
@@ -121,7 +141,7 @@ class Binder {
             case NodeKind::kNameless:
                 if (!ignored) report_nameless(node, reporter_);
                 bound_.ast.structure_broken = true;
-                levels_.push_back(level_of(id, {}, nullptr, true));
+                ignore_members(id);
                 break;
             case NodeKind::kStrayClose:
                 report_extra_brace(node, place_name(), reporter_);
@@ -161,8 +181,11 @@ class Binder {
     void bind_inline(NodeId id, const BlockRow& row, const ValueRun& run) {
         const FieldNode field =
             bind_values(grammar::fields_of(row.id)[0], run, id, bound_.ast, reporter_);
+        const bool fits = fits_here(row);
+        if (!fits && !levels_.back().misplaced)
+            report_misplaced(cst_, id, row, around(), reporter_);
         BlockNode& block = add_block(id, row);
-        place_block(id, row, block);
+        block.broken = !fits;
         block.first_field = size_of(bound_.ast.fields);
         block.field_count = 1;
         block.first_child = size_of(bound_.ast.children);
@@ -179,46 +202,55 @@ class Binder {
         return node;
     }
 
-    void place_block(NodeId id, const BlockRow& row, BlockNode& block) {
-        const BlockRow* around = levels_.back().row;
-        const bool fits = around == nullptr ? grammar::may_stand_at_top(row.id)
-                                            : grammar::may_stand_in(row.id, around->id);
-        if (fits) return;
-        block.broken = true;
-        report_misplaced(cst_.node(id), row, around, reporter_);
-        // A misplaced section is missed elsewhere.
-        if (grammar::may_stand_at_top(row.id)) bound_.ast.structure_broken = true;
+    [[nodiscard]] const BlockRow* around() const { return levels_.back().row; }
+
+    [[nodiscard]] bool fits_here(const BlockRow& row) const {
+        return around() == nullptr ? grammar::may_stand_at_top(row.id)
+                                   : grammar::may_stand_in(row.id, around()->id);
     }
 
     void bind_block(NodeId id) {
         const CstNode& node = cst_.node(id);
+        const bool ignored = levels_.back().ignored;
         const TokenId brace = open_brace_of(tokens_, node);
+        const bool alone = !brace.valid() && node.end_node == id.value + 1;
+        const BlockRow* row = grammar::find_block(tokens_.text_of({node.first_token}));
+        const bool misplaced = !ignored && row != nullptr && !fits_here(*row);
         if (!brace.valid() || node.unclosed != 0) {
             bound_.ast.structure_broken = true;
-            if (!holds_nameless(id)) report_missing_braces(cst_, id, reporter_);
+            // A name alone where it may not stand was meant as another one.
+            const bool said = holds_nameless(id) || (alone && misplaced);
+            if (!said) report_missing_braces(cst_, id, reporter_);
         }
-        const BlockRow* row = grammar::find_block(tokens_.text_of({node.first_token}));
-        if (levels_.back().ignored || row == nullptr) {
-            if (!levels_.back().ignored) unknown_.push_back(id);
-            levels_.push_back(level_of(id, {}, nullptr, true));
+        if (ignored || row == nullptr) {
+            if (!ignored) unknown_.push_back(id);
+            ignore_members(id);
             return;
         }
+        if (misplaced) {
+            // A misplaced section is missed elsewhere.
+            if (grammar::may_stand_at_top(row->id)) bound_.ast.structure_broken = true;
+            const bool misspelt =
+                !levels_.back().misplaced && report_misplaced(cst_, id, *row, around(), reporter_);
+            if (misspelt) {
+                ignore_members(id);
+                return;
+            }
+        }
         BlockNode& block = add_block(id, *row);
+        block.broken = misplaced || alone;
         const BlockNodeId block_id{size_of(bound_.ast.blocks) - 1};
-        place_block(id, *row, block);
         const TokenId label = label_of(tokens_, node);
         if (label.valid() && accept_label(*row, label, reporter_)) block.label = label;
-        const bool alone = !brace.valid() && node.end_node == id.value + 1;
-        if (alone) block.broken = true;
         if (row->layout == Layout::kInline) {
             block.broken = true;
-            report_inline_braces(node, reporter_);
+            if (!misplaced) report_inline_braces(node, reporter_);
         } else if (row->layout == Layout::kPositional && !alone && !holds_numbers(id)) {
             const ValueRun none{{node.first_token}, 0, 0, row->name};
             fields_at_level(block_id, id, *row, none);
             return;
         }
-        levels_.push_back(level_of(id, block_id, row, false));
+        levels_.push_back(level_of(id, block_id, row, misplaced));
     }
 
     void fields_at_level(BlockNodeId block_id, NodeId id, const BlockRow& row,

@@ -104,6 +104,25 @@ std::vector<std::string_view> homes_of(const BlockRow& row) {
     return found;
 }
 
+std::string did_you_mean(std::span<const std::string_view> names) {
+    return names.size() == 1 ? fmt::format("did you mean '{}'?", names[0])
+                             : fmt::format("did you mean one of {}?", quoted_list(names));
+}
+
+// What a block's name was meant as, where that block may not stand: a near name, as `Material` for
+// `Materials`, or one that it begins, as `Material 0` for `MaterialIndex 0`.
+std::vector<std::string_view> meant_names(const BlockRow& row, const BlockRow* around,
+                                          bool has_braces) {
+    std::vector<std::string_view> names;
+    for (const BlockRow* candidate : blocks_for(around)) {
+        if (has_braces == (candidate->layout != Layout::kInline)) names.push_back(candidate->name);
+    }
+    auto near = near_names(row.name, names);
+    if (!near.empty()) return near;
+    std::erase_if(names, [&row](std::string_view name) { return !name.starts_with(row.name); });
+    return names;
+}
+
 class UnknownName {
   public:
     UnknownName(const CstNode& node, const BlockRow* around, std::span<const FieldId> present,
@@ -158,9 +177,7 @@ class UnknownName {
     bool add_near_names(Diagnostic& finding) {
         const auto near = near_names(word_, candidates());
         if (near.empty()) return false;
-        finding.notes.push_back(near.size() == 1
-                                    ? fmt::format("did you mean '{}'?", near[0])
-                                    : fmt::format("did you mean one of {}?", quoted_list(near)));
+        finding.notes.push_back(did_you_mean(near));
         if (is_present(near[0])) return true;
         finding.fixes.push_back({fmt::format("write '{}'", near[0]),
                                  near.size() == 1,
@@ -206,17 +223,28 @@ void report_unknown_name(const CstNode& node, const BlockRow* around,
     UnknownName(node, around, present, reporter).report();
 }
 
-void report_misplaced(const CstNode& node, const BlockRow& row, const BlockRow* around,
+bool report_misplaced(const Cst& cst, NodeId block, const BlockRow& row, const BlockRow* around,
                       Reporter& reporter) {
+    const CstNode& node = cst.node(block);
     Diagnostic& finding =
         reporter.add(kMisplacedBlock, TokenId{node.first_token},
                      fmt::format("'{}' may not stand {}", row.name, place_of(around)));
+    const bool has_braces = open_brace_of(reporter.tokens(), node).valid();
+    const auto meant = meant_names(row, around, has_braces);
+    if (!meant.empty()) {
+        finding.notes.push_back(did_you_mean(meant));
+        finding.fixes.push_back({fmt::format("write '{}'", meant[0]),
+                                 meant.size() == 1,
+                                 {{finding.span, std::string(meant[0])}}});
+        return true;
+    }
     const auto homes = homes_of(row);
     std::string belongs = homes.empty() ? std::string() : "in " + quoted_list(homes);
     if (grammar::may_stand_at_top(row.id)) {
         belongs = homes.empty() ? "at the top level" : "at the top level or " + belongs;
     }
     finding.notes.push_back(fmt::format("'{}' belongs {}", row.name, belongs));
+    return false;
 }
 
 void report_inline_braces(const CstNode& node, Reporter& reporter) {

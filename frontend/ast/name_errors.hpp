@@ -15,8 +15,10 @@ namespace cobble::frontend {
 void report_unknown_name(const CstNode& node, const grammar::BlockRow* around,
                          std::span<const grammar::FieldId> present, Reporter& reporter);
 
-/// A block of the vocabulary in a block where it may not stand (null for the file).
-void report_misplaced(const CstNode& node, const grammar::BlockRow& row,
+/// A block of the vocabulary in a block where it may not stand (null for the file). True if its
+/// name is evidently a slip for one that may, `Material` for `Materials`: then its members are not
+/// to be judged by the name that it has.
+bool report_misplaced(const Cst& cst, NodeId block, const grammar::BlockRow& row,
                       const grammar::BlockRow* around, Reporter& reporter);
 
 /// `Translate { 1 0 0 }`: braces where only values may stand.

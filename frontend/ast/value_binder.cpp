@@ -82,9 +82,10 @@ class ValueBinder {
   private:
     bool bind_all() {
         const std::size_t before = ast_.values.size();
-        for (std::uint32_t i = run_.begin; i < run_.end; ++i) {
-            if (!bind_one({i})) return false;
-        }
+        bool good = true;
+        for (std::uint32_t i = run_.begin; i < run_.end; ++i) good &= bind_one({i});
+        // How many there are says nothing while some are not what they should be.
+        if (!good) return false;
         const std::size_t count = ast_.values.size() - before;
         const auto due = static_cast<std::size_t>(grammar::arity(row_.type));
         if (count == due) return true;
@@ -183,6 +184,10 @@ class ValueBinder {
     }
 
     bool wrong_type(TokenId token) {
+        // Several words are one phrase, and one mistake.
+        const bool goes_on = token.value > run_.begin && last_wrong_.value == token.value - 1;
+        last_wrong_ = token;
+        if (goes_on) return false;
         Diagnostic& finding =
             reporter_.add(kWrongType, token,
                           fmt::format("{} expects {}, found {}", quoted(run_.what),
@@ -201,6 +206,7 @@ class ValueBinder {
     Ast& ast_;
     Reporter& reporter_;
     const Tokens& tokens_;
+    TokenId last_wrong_;  ///< the last value of the wrong kind
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ struct ValueRun {
     std::string_view what;  ///< the name as messages quote it
 };
 
-/// Binds one field; at most one finding. Cost: the number of tokens.
+/// Binds one field, with a finding for each value that is wrong, or else one for their count. Cost:
+/// the number of tokens.
 FieldNode bind_values(const grammar::FieldRow& row, const ValueRun& run, NodeId cst, Ast& ast,
                       Reporter& reporter);
 

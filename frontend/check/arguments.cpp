@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 #include "frontend/names/describe.hpp"
 
 namespace cobble::frontend {
@@ -43,13 +44,8 @@ const source::DiagnosticCode kDuplicateArgument{
     source::Severity::kError,
     "an argument is given twice",
     "The block takes this argument once, and it is not clear which of the two is meant.",
-    "PerspectiveCamera {\n"
-    "    center 0 0 10\n"
-    "    direction 0 0 -1\n"
-    "    up 0 1 0\n"
-    "    angle 30\n"
-    "    angle 45\n"
-    "}\n",
+    camera_example("angle 30\n"
+                   "angle 45\n"),
     "Remove one of the two."};
 
 const source::DiagnosticCode kOverriddenArgument{

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 #include "frontend/check/vectors.hpp"
 
 namespace cobble::frontend {
@@ -26,26 +27,16 @@ const source::DiagnosticCode kApertureWithoutFocus{
     source::Severity::kError,
     "a lens without a distance of focus",
     "With an `aperture` above 0 only one distance is in focus, and the camera must know which.",
-    "PerspectiveCamera {\n"
-    "    center 0 0 10\n"
-    "    direction 0 0 -1\n"
-    "    up 0 1 0\n"
-    "    angle 30\n"
-    "    aperture 0.5\n"
-    "}\n",
+    camera_example("angle 30\n"
+                   "aperture 0.5\n"),
     "Add `focusDistance`, measured along the view axis from `center`."};
 
 const source::DiagnosticCode kTooFewBlades{"too-few-blades",
                                            source::Severity::kError,
                                            "an aperture of one or two blades",
                                            "One or two straight blades enclose no opening.",
-                                           "PerspectiveCamera {\n"
-                                           "    center 0 0 10\n"
-                                           "    direction 0 0 -1\n"
-                                           "    up 0 1 0\n"
-                                           "    angle 30\n"
-                                           "    blades 2\n"
-                                           "}\n",
+                                           camera_example("angle 30\n"
+                                                          "blades 2\n"),
                                            "Write 0 for a round aperture, or 3 to 16."};
 
 const source::DiagnosticCode kShutterOrder{
@@ -54,14 +45,9 @@ const source::DiagnosticCode kShutterOrder{
     "the shutter closes before it opens",
     "`shutterOpen` must not be later than `shutterClose`; both are fractions of every Motion, from "
     "0 to 1. Equal values freeze the motion.",
-    "PerspectiveCamera {\n"
-    "    center 0 0 10\n"
-    "    direction 0 0 -1\n"
-    "    up 0 1 0\n"
-    "    angle 30\n"
-    "    shutterOpen 0.75\n"
-    "    shutterClose 0.25\n"
-    "}\n",
+    camera_example("angle 30\n"
+                   "shutterOpen 0.75\n"
+                   "shutterClose 0.25\n"),
     "Exchange the two."};
 
 /// Below the sine of this angle `up` and `direction` cannot be told apart in single precision,

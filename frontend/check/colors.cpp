@@ -42,30 +42,35 @@ const source::DiagnosticCode kLightColorAboveOne{
 constexpr double kSurelyByte = 10;
 
 /// `255 128 0` as #ff8000, if that can be what was meant.
-void offer_hex(const CheckContext& context, const FieldNode& field,
+bool offer_hex(const CheckContext& context, const FieldNode& field,
                source::Diagnostic& diagnostic) {
     const auto values = context.ast().values_of(field);
-    if (values.size() != 3) return;
+    if (values.size() != 3) return false;
     const bool bytes = std::ranges::all_of(values, [](const Value& value) {
         return value.number >= 0 && value.number <= 255 && std::floor(value.number) == value.number;
     });
     const double largest = std::ranges::max(values, {}, &Value::number).number;
-    if (!bytes || largest <= kSurelyByte) return;
+    if (!bytes || largest <= kSurelyByte) return false;
     const std::string hex =
         fmt::format("#{:02x}{:02x}{:02x}", static_cast<int>(values[0].number),
                     static_cast<int>(values[1].number), static_cast<int>(values[2].number));
     diagnostic.fixes.push_back({fmt::format("write {}, taking the components as 0 to 255", hex),
                                 false,
                                 {{context.value_span(field), hex}}});
+    return true;
 }
 
 void check_color(CheckContext& context, BlockNodeId id, const FieldNode& field,
                  const grammar::FieldRow& row) {
     const grammar::Range& range = row.range;
+    bool found = false;
     for (const Value& value : context.ast().values_of(field)) {
         if (value.number >= range.low && value.number <= range.high) continue;
         // Said already, as a number out of range.
-        if (!(std::fabs(value.number) <= std::numeric_limits<float>::max())) return;
+        if (!(std::fabs(value.number) <= std::numeric_limits<float>::max())) {
+            found = true;
+            continue;
+        }
         const source::Span place = context.span(value.token);
         const bool bounded = range.high < std::numeric_limits<double>::infinity();
         auto& diagnostic = context.report(
@@ -73,9 +78,11 @@ void check_color(CheckContext& context, BlockNodeId id, const FieldNode& field,
             fmt::format("'{}' of {} {}, not {}", row.name, context.name(id),
                         bounded ? "must lie between 0 and 1" : "must not be negative",
                         context.shown(place)));
-        if (value.number > 1) offer_hex(context, field, diagnostic);
-        return;
+        found = true;
+        // The other components are the same mistake then.
+        if (value.number > 1 && offer_hex(context, field, diagnostic)) return;
     }
+    if (found) return;
     for (const Value& value : context.ast().values_of(field)) {
         if (value.number <= range.warn_above) continue;
         context.report(kLightColorAboveOne, context.span(value.token),

@@ -107,8 +107,19 @@ bool CheckContext::explained(BlockNodeId id, std::string_view wanted) const {
         const DialectWord* entry = find_dialect_word(word, place);
         if (entry != nullptr && entry->modern == wanted) return true;
         if (!nearest_name(word, candidates).empty()) return true;
+        if (grammar::find_block(word) == nullptr && begins_like(child, wanted)) return true;
     }
     return false;
+}
+
+bool CheckContext::begins_like(NodeId unknown, std::string_view wanted) const {
+    const grammar::BlockRow* row = grammar::find_block(wanted);
+    const NodeId member = scene.cst.first_child(unknown);
+    if (row == nullptr || !member.valid()) return false;
+    const std::string_view word = first_word(member);
+    if (grammar::find_field(row->id, word) != nullptr) return true;
+    const grammar::BlockRow* inner = grammar::find_block(word);
+    return inner != nullptr && grammar::may_stand_in(inner->id, row->id);
 }
 
 source::Diagnostic& CheckContext::report(const source::DiagnosticCode& code, source::Span span,

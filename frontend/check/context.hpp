@@ -60,7 +60,8 @@ class CheckContext {
     /// about because they have no meaning there.
     [[nodiscard]] std::uint32_t strange_members(BlockNodeId id) const;
     /// True if the parser has complained about a member of `id` (or of the file) that was evidently
-    /// meant to be `wanted`: a near name, another dialect's word for it, or values without a name.
+    /// meant to be `wanted`: a near name, another dialect's word for it, an unknown block that
+    /// begins with what stands in such a block, or values without a name.
     [[nodiscard]] bool explained(BlockNodeId id, std::string_view wanted) const;
 
     // --- Reporting ---
@@ -88,6 +89,8 @@ class CheckContext {
     }
     /// True if `member`, a child of the block `parent` or of the file, has no meaning there.
     [[nodiscard]] bool is_strange(BlockNodeId parent, NodeId member) const;
+    /// True if the first member of the block `unknown` may stand in the block called `wanted`.
+    [[nodiscard]] bool begins_like(NodeId unknown, std::string_view wanted) const;
     /// True if `member`, a field of `parent`, has more values than it takes: the last of them may
     /// be those of another field whose name is missing.
     [[nodiscard]] bool has_surplus(BlockNodeId parent, NodeId member) const;

@@ -13,6 +13,7 @@
 
 #include "frontend/ast/reporter.hpp"
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 #include "frontend/names/suggest.hpp"
 
 namespace cobble::frontend {
@@ -24,17 +25,9 @@ const source::DiagnosticCode kMaterialOutOfRange{
     "there is no material of this number",
     "Materials are numbered from 0 in the order in which they stand, so that the last of three is "
     "number 2.",
-    "Materials {\n"
-    "    Material {\n"
-    "    }\n"
-    "}\n"
-    "Group {\n"
-    "    MaterialIndex 1\n"
-    "    Sphere {\n"
-    "        center 0 0 0\n"
-    "        radius 1\n"
-    "    }\n"
-    "}\n",
+    object_example("Material {\n"
+                   "}\n",
+                   "MaterialIndex 1\n"),
     "Write a number below the count of materials, or give the material a label and write that."};
 
 const source::DiagnosticCode kUnknownMaterial{
@@ -42,17 +35,9 @@ const source::DiagnosticCode kUnknownMaterial{
     source::Severity::kError,
     "no material has this label",
     "`MaterialIndex` takes a number or the label of a material.",
-    "Materials {\n"
-    "    Material stone {\n"
-    "    }\n"
-    "}\n"
-    "Group {\n"
-    "    MaterialIndex stoen\n"
-    "    Sphere {\n"
-    "        center 0 0 0\n"
-    "        radius 1\n"
-    "    }\n"
-    "}\n",
+    object_example("Material stone {\n"
+                   "}\n",
+                   "MaterialIndex stoen\n"),
     "Write the label as it stands behind the material's name, in the same case."};
 
 const source::DiagnosticCode kObjectBeforeMaterial{
@@ -61,16 +46,9 @@ const source::DiagnosticCode kObjectBeforeMaterial{
     "an object stands before any MaterialIndex",
     "An object is made of what the last `MaterialIndex` before it says, and there is none. "
     "Published programs stop there.",
-    "Materials {\n"
-    "    Material {\n"
-    "    }\n"
-    "}\n"
-    "Group {\n"
-    "    Sphere {\n"
-    "        center 0 0 0\n"
-    "        radius 1\n"
-    "    }\n"
-    "}\n",
+    object_example("Material {\n"
+                   "}\n",
+                   ""),
     "Write `MaterialIndex 0` before the first object."};
 
 const source::DiagnosticCode kUnusedMaterial{"unused-material",

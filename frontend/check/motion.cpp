@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 #include "frontend/check/vectors.hpp"
 
 namespace cobble::frontend {
@@ -16,22 +17,13 @@ const source::DiagnosticCode kRepeatedMotion{
     source::Severity::kError,
     "a Transform holds two Motions",
     "A Motion says where things are at shutter time 1, and there is one such time.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Translate 0 0 0\n"
-    "        Motion {\n"
-    "            Translate 1 0 0\n"
-    "        }\n"
-    "        Motion {\n"
-    "            Translate 2 0 0\n"
-    "        }\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Translate 0 0 0\n"
+                      "Motion {\n"
+                      "    Translate 1 0 0\n"
+                      "}\n"
+                      "Motion {\n"
+                      "    Translate 2 0 0\n"
+                      "}\n"),
     "Keep one of them; for a motion of two parts, nest two Transforms."};
 
 const source::DiagnosticCode kMotionNotLast{
@@ -40,19 +32,10 @@ const source::DiagnosticCode kMotionNotLast{
     "a transform stands behind Motion",
     "Motion stands after all transforms of its Transform and directly before the object, so that "
     "the two lists can be compared at a glance.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Motion {\n"
-    "            Translate 1 0 0\n"
-    "        }\n"
-    "        Translate 0 0 0\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Motion {\n"
+                      "    Translate 1 0 0\n"
+                      "}\n"
+                      "Translate 0 0 0\n"),
     "Move the Motion behind the transforms."};
 
 const source::DiagnosticCode kMotionDiffers{
@@ -61,20 +44,11 @@ const source::DiagnosticCode kMotionDiffers{
     "Motion lists other transforms than its Transform",
     "Arguments are interpolated one by one, so that each transform needs its counterpart: the "
     "same keywords in the same order, those that do not change included.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Translate 0 0 0\n"
-    "        YRotate 0\n"
-    "        Motion {\n"
-    "            Translate 1 0 0\n"
-    "        }\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Translate 0 0 0\n"
+                      "YRotate 0\n"
+                      "Motion {\n"
+                      "    Translate 1 0 0\n"
+                      "}\n"),
     "Repeat the transforms of the Transform in the Motion, and change their arguments only."};
 
 const source::DiagnosticCode kMatrixCannotMove{
@@ -83,20 +57,11 @@ const source::DiagnosticCode kMatrixCannotMove{
     "a Matrix4f in a Transform with Motion",
     "The numbers of a matrix cannot be interpolated one by one: halfway between two rotations "
     "lies no rotation.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Matrix4f { 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 }\n"
-    "        Translate 0 0 0\n"
-    "        Motion {\n"
-    "            Translate 1 0 0\n"
-    "        }\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Matrix4f { 1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1 }\n"
+                      "Translate 0 0 0\n"
+                      "Motion {\n"
+                      "    Translate 1 0 0\n"
+                      "}\n"),
     "Give the matrix a Transform of its own around or inside the one that moves."};
 
 const source::DiagnosticCode kMotionThroughZero{
@@ -105,19 +70,10 @@ const source::DiagnosticCode kMotionThroughZero{
     "a scale or an axis passes through zero",
     "Arguments are interpolated in a straight line. A factor that changes its sign is 0 at some "
     "moment, and so is an axis that turns into its opposite.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Scale 1 1 1\n"
-    "        Motion {\n"
-    "            Scale -1 1 1\n"
-    "        }\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Scale 1 1 1\n"
+                      "Motion {\n"
+                      "    Scale -1 1 1\n"
+                      "}\n"),
     "Keep the sign of factors, and turn with a rotation instead."};
 
 struct MovingTransform {
@@ -137,9 +93,7 @@ bool passes_zero(const CheckContext& context, const FieldNode& from, const Field
     if (from.row == grammar::FieldId::kRotate_value) {
         const auto a = three_numbers(context, &from);
         const auto b = three_numbers(context, &to);
-        if (!a || !b || !(dot(*a, *b) < 0)) return false;
-        // Opposite within the rounding of the numbers as written.
-        return length(cross(*a, *b)) <= 0x1p-50 * (length(*a) * length(*b));
+        return a && b && are_opposite(*a, *b);
     }
     if (from.row != grammar::FieldId::kScale_value &&
         from.row != grammar::FieldId::kUniformScale_value) {

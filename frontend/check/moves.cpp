@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 #include "frontend/check/vectors.hpp"
 
 namespace cobble::frontend {
@@ -18,16 +19,7 @@ const source::DiagnosticCode kSingularTransform{
     "a transform that cannot be undone",
     "A factor of 0 or a singular matrix flattens the object to a sheet, a line or a point. Rays "
     "are taken into the object's own space by the inverse, which does not exist then.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Scale 1 0 1\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Scale 1 0 1\n"),
     "Write a small factor, such as 0.001, in place of 0."};
 
 const source::DiagnosticCode kMatrixNotAffine{
@@ -36,16 +28,7 @@ const source::DiagnosticCode kMatrixNotAffine{
     "a matrix whose last row is not 0 0 0 1",
     "`Matrix4f` is written column by column, so that its last row is every fourth number. A "
     "transform of objects has `0 0 0 1` there; anything else is ignored.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Matrix4f { 1 0 0 2  0 1 0 0  0 0 1 0  0 0 0 1 }\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example("Matrix4f { 1 0 0 2  0 1 0 0  0 0 1 0  0 0 0 1 }\n"),
     "If the matrix is written row by row, transpose it."};
 
 /// Rounding of a 3x3 determinant in double, in units of the product of its columns' lengths: nine
@@ -90,7 +73,6 @@ void check_singular_move(CheckContext& context, BlockNodeId id) {
             if (std::fabs(value.number) > 0x1p-150) continue;
             context.report(kSingularTransform, context.span(value.token),
                            fmt::format("a factor of {} must not be 0", context.name(id)));
-            break;
         }
     }
 }

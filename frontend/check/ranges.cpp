@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 
 namespace cobble::frontend {
 namespace {
@@ -30,12 +31,7 @@ const source::DiagnosticCode kAngleOutOfRange{
     "the camera's opening angle is impossible",
     "`angle` is the full vertical opening angle in degrees. At 0 nothing is seen, and at 180 the "
     "picture plane is infinitely wide.",
-    "PerspectiveCamera {\n"
-    "    center 0 0 10\n"
-    "    direction 0 0 -1\n"
-    "    up 0 1 0\n"
-    "    angle 180\n"
-    "}\n",
+    camera_example("angle 180\n"),
     "Write an angle above 0 and below 180 degrees; 30 to 60 look natural."};
 
 const source::DiagnosticCode kRadiusNotPositive{"radius-not-positive",
@@ -53,6 +49,14 @@ const source::DiagnosticCode kRadiusNotPositive{"radius-not-positive",
 
 /// The renderer narrows numbers once to single precision, and published programs read them so.
 constexpr double kLargest = std::numeric_limits<float>::max();
+/// Below this they lose digits there, and then become 0.
+constexpr double kSmallest = std::numeric_limits<float>::min();
+
+/// True if 0 is forbidden, so that a number that nearly is 0 is a mistake as well. Elsewhere such
+/// numbers are what rounding leaves of a 0, and as good as one.
+bool excludes_zero(const grammar::Range& range) {
+    return range.zero_excluded || (range.low_open && range.low == 0);
+}
 
 const source::DiagnosticCode& code_for(grammar::FieldId field) {
     if (field == grammar::FieldId::kPerspectiveCamera_angle) return kAngleOutOfRange;
@@ -88,6 +92,33 @@ std::string subject(const CheckContext& context, BlockNodeId id, const grammar::
     return fmt::format("'{}' of {}", field.name, context.name(id));
 }
 
+void check_number(CheckContext& context, BlockNodeId id, const grammar::FieldRow& row,
+                  const Value& value) {
+    const double size = std::fabs(value.number);
+    const source::Span place = context.span(value.token);
+    if (!(size <= kLargest)) {
+        auto& diagnostic = context.report(
+            kValueOutOfRange, place, fmt::format("{} is too large", subject(context, id, row)));
+        diagnostic.notes.emplace_back("the largest number is 3.4e38, in either direction");
+        return;
+    }
+    const bool is_color = row.type == grammar::ValueType::kColor;
+    if (!is_color && !inside(row.range, value.number)) {
+        auto& diagnostic = context.report(
+            code_for(row.id), place,
+            subject(context, id, row) + " " + demand(row.range, context.shown(place)));
+        if (!row.unit.empty()) diagnostic.notes.push_back(fmt::format("unit: {}", row.unit));
+        return;
+    }
+    if (size < kSmallest && excludes_zero(row.range)) {
+        auto& diagnostic = context.report(
+            kValueOutOfRange, place, fmt::format("{} is too small", subject(context, id, row)));
+        diagnostic.notes.emplace_back(
+            "the smallest number that is not 0 in single precision, with all its digits, is "
+            "1.2e-38");
+    }
+}
+
 }  // namespace
 
 void check_number_ranges(CheckContext& context, BlockNodeId id) {
@@ -101,25 +132,7 @@ void check_number_ranges(CheckContext& context, BlockNodeId id) {
             continue;
         }
         for (const Value& value : context.ast().values_of(field)) {
-            const bool finite = std::fabs(value.number) <= kLargest;
-            if (finite && (row.type == ValueType::kColor || inside(row.range, value.number))) {
-                continue;
-            }
-            const source::Span place = context.span(value.token);
-            if (!finite) {
-                auto& diagnostic =
-                    context.report(kValueOutOfRange, place,
-                                   fmt::format("{} is too large", subject(context, id, row)));
-                diagnostic.notes.push_back("the largest number is 3.4e38, in either direction");
-            } else {
-                auto& diagnostic = context.report(
-                    code_for(field.row), place,
-                    subject(context, id, row) + " " + demand(row.range, context.shown(place)));
-                if (!row.unit.empty()) {
-                    diagnostic.notes.push_back(fmt::format("unit: {}", row.unit));
-                }
-            }
-            break;
+            check_number(context, id, row, value);
         }
     }
 }

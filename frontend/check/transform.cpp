@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/examples.hpp"
 
 namespace cobble::frontend {
 namespace {
@@ -63,15 +64,7 @@ const source::DiagnosticCode kTransformWithoutMove{
     source::Severity::kWarning,
     "a Transform changes nothing",
     "It holds an object but no Translate, Scale, rotation or matrix.",
-    "Group {\n"
-    "    MaterialIndex 0\n"
-    "    Transform {\n"
-    "        Sphere {\n"
-    "            center 0 0 0\n"
-    "            radius 1\n"
-    "        }\n"
-    "    }\n"
-    "}\n",
+    transform_example(""),
     "Take the object out of the Transform, or add a transform."};
 
 bool is_object(grammar::Role role) {

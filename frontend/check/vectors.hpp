@@ -32,4 +32,11 @@ inline Numbers3 cross(const Numbers3& a, const Numbers3& b) {
 }
 inline double length(const Numbers3& v) { return std::sqrt(dot(v, v)); }
 
+/// True if two axes are opposite within the rounding of the numbers as written (a few units in the
+/// last place of 53 bits): an axis that is interpolated from one to the other meets zero then. The
+/// one rule for what is reported and for what lowering leaves out.
+inline bool are_opposite(const Numbers3& a, const Numbers3& b) {
+    return dot(a, b) < 0 && length(cross(a, b)) <= 0x1p-50 * (length(a) * length(b));
+}
+
 }  // namespace cobble::frontend

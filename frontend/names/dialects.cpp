@@ -98,8 +98,6 @@ std::optional<source::Fix> transpose(source::SourceId source, const Tokens& toke
 
 }  // namespace
 
-std::span<const DialectWord> dialect_words() { return kWords; }
-
 std::string_view name_of(Dialect dialect) {
     switch (dialect) {
         case Dialect::k2003:

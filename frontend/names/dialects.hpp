@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "frontend/lex/tokens.hpp"
@@ -34,9 +33,6 @@ struct DialectWord {
     Dialect dialect;
     Rewrite rewrite;
 };
-
-/// All words, those of one block together.
-std::span<const DialectWord> dialect_words();
 
 /// "the 2004 dialect" and so on, for messages.
 std::string_view name_of(Dialect dialect);

@@ -19,7 +19,7 @@ BlockMask bit_of(const BlockRow* row) {
 
 void OpenBlocks::push(std::uint32_t node, const BlockRow* row, bool bare) {
     const BlockMask around = blocks_.empty() ? grammar::kFileMask : blocks_.back().accepting;
-    blocks_.push_back({node, row, around | bit_of(row), bare});
+    blocks_.push_back({row, around | bit_of(row), node, bare});
     update_inside();
 }
 

@@ -20,11 +20,11 @@ enum class Inside : std::uint8_t {
 class OpenBlocks {
   public:
     struct Block {
-        std::uint32_t node;            ///< its node in the tree
         const grammar::BlockRow* row;  ///< null if it has no known name
         grammar::BlockMask
-            accepting;  ///< this and all blocks around it, as bits of `parents` masks
-        bool bare;      ///< it was opened without a {
+            accepting;       ///< this and all blocks around it, as bits of `parents` masks
+        std::uint32_t node;  ///< its node in the tree
+        bool bare;           ///< it was opened without a {
     };
 
     static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);

@@ -14,6 +14,10 @@ using Indent = std::optional<std::string_view>;
 
 constexpr std::size_t kLevels = 64;
 
+// Nobody indents as deep as this: a file that nests deeper is no work of hands, and a search
+// through millions of levels would take more memory than all the rest.
+constexpr std::size_t kDeepest = 4096;
+
 struct Level {
     std::uint32_t node;
     const BlockRow* row;
@@ -48,6 +52,7 @@ class Search {
                 return found_at(node.first_token, i);
             }
             if (is_block(node)) {
+                if (levels_.size() == kDeepest) return std::nullopt;
                 if (is_object(node)) top.has_object = true;
                 enter(i);
             }

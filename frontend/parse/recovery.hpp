@@ -27,7 +27,8 @@ struct Culprit {
 /// says that the block around it should have ended: a } that stands like the opener of a block
 /// further out, a member that stands like the opener of its own block and may stand beside it, or a
 /// second object in a Transform. `around` is the block around `root` (null if unknown; `at_top` if
-/// it is the file). Cost: the number of nodes looked at, times at most 64 levels of blocks.
+/// it is the file). Blocks nested more than 4096 deep are not looked through. Cost: the number of
+/// nodes looked at, times at most 64 levels of blocks.
 std::optional<Culprit> find_missing_close(const Tokens& tokens, const Cst& cst, std::uint32_t root,
                                           const grammar::BlockRow* around, bool at_top);
 

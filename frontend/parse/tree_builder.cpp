@@ -153,12 +153,8 @@ void TreeBuilder::end_top(std::uint32_t end, bool unclosed) {
 }
 
 void TreeBuilder::close_block(std::uint32_t brace) {
-    // The brace after `Rotate 0 1 0 90` without { is the outer block's, unless it stands behind the
-    // numbers or like the name.
-    if (open_.inside() == Inside::kPositional && open_.top().bare) {
-        const auto indent = indent_of(tokens_, brace);
-        const std::uint32_t name = cst_.nodes[open_.top().node].first_token;
-        if (indent && indent != indent_of(tokens_, name)) leave_bare_positional(brace);
+    if (open_.inside() == Inside::kPositional && open_.top().bare && !is_own_brace(brace)) {
+        leave_bare_positional(brace);
     }
     if (open_.empty()) {
         if (look_back_for_extra(brace)) return;
@@ -166,6 +162,26 @@ void TreeBuilder::close_block(std::uint32_t brace) {
     } else {
         end_top(brace + 1, false);
     }
+}
+
+// True if the } after `Rotate 0 1 0 90` without { is its own. Where the braces of the file add up,
+// the { was not lost alone, and the } is that of the block around; else the } stands behind the
+// numbers, or like the name.
+bool TreeBuilder::is_own_brace(std::uint32_t brace) {
+    if (!surplus_) {
+        surplus_ = 0;
+        for (std::uint32_t i = 0; i < tokens_.size(); ++i) {
+            const TokenKind kind = tokens_.kind({i});
+            if (kind == TokenKind::kCloseBrace) ++*surplus_;
+            if (kind == TokenKind::kOpenBrace) --*surplus_;
+        }
+    }
+    if (*surplus_ <= 0) return false;
+    const auto indent = indent_of(tokens_, brace);
+    const std::uint32_t name = cst_.nodes[open_.top().node].first_token;
+    if (indent && indent != indent_of(tokens_, name)) return false;
+    --*surplus_;
+    return true;
 }
 
 void TreeBuilder::finish(std::uint32_t end_of_file) {

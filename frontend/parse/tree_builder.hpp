@@ -53,6 +53,7 @@ class TreeBuilder {
     bool afford(std::uint64_t cost);
     void cut_back(const Culprit& culprit, std::size_t depth);
     void leave_bare_positional(std::uint32_t at);
+    [[nodiscard]] bool is_own_brace(std::uint32_t brace);
     Placing reopen_for(const grammar::BlockRow* row, grammar::WordId word, std::uint32_t begin);
     bool ends_enclosed_block(grammar::WordId word, std::uint32_t begin);
     [[nodiscard]] bool fits_top(std::uint32_t token) const;
@@ -65,7 +66,10 @@ class TreeBuilder {
     OpenBlocks open_;
     std::optional<std::uint32_t> resume_;
     std::uint32_t last_closed_ = 0;  ///< the block that ended last
-    std::uint64_t budget_;           ///< how many tokens may still be read again
+    /// How many more } than { the file has, less the } that blocks without { have taken. Counted
+    /// when it is first asked for.
+    std::optional<std::int64_t> surplus_;
+    std::uint64_t budget_;  ///< how many tokens may still be read again
 };
 
 }  // namespace cobble::frontend

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
-#include "ir/assets/image_decoder.hpp"
+#include "ir/assets/mesh_size.hpp"
 #include "ir/assets/transfer.hpp"
+#include "ir/image/decoder.hpp"
 
 namespace cobble::ir {
 
@@ -52,9 +52,10 @@ const DiagnosticCode kTooLarge{
     Severity::kError,
     "a file, or the picture it claims to hold, is beyond the limits",
     "Sizes are checked before memory is taken, so that a broken or hostile file of a few bytes "
-    "cannot exhaust the machine.",
+    "cannot exhaust the machine. There is a limit for one file, one for the pixels of one picture, "
+    "and one for the bytes that all pictures and meshes of a scene take together.",
     "texture bomb.png",
-    "Use a smaller picture or mesh."};
+    "Use a smaller picture or mesh, or fewer of them."};
 
 const DiagnosticCode kCubeFace{
     "asset-cube-map-face",
@@ -92,6 +93,22 @@ std::string tidy(std::string_view path) {
         }
     }
     return result;
+}
+
+std::string size_text(std::uint32_t width, std::uint32_t height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
+
+ColorTag tag_of(bool data, bool floats) {
+    return data ? ColorTag::kData : floats ? ColorTag::kLinear : ColorTag::kDisplay;
+}
+
+template <typename T>
+bool all_texels_equal(const std::vector<T>& values) {
+    for (std::size_t i = 3; i < values.size(); ++i) {
+        if (values[i] != values[i - 3]) return false;
+    }
+    return true;
 }
 
 std::string quoted(std::string_view text) {
@@ -160,17 +177,8 @@ AssetLoader::CachedImage AssetLoader::load_image(const std::string& path, std::s
     // The same file, read for the other use, serves this one.
     const auto other = image_cache_.find({path, !data});
     if (other != image_cache_.end()) {
-        CachedImage shared = other->second;
-        if (shared.id.valid()) {
-            Image copy = images_[shared.id.value];
-            copy.tag = data                  ? ColorTag::kData
-                       : copy.floats.empty() ? ColorTag::kDisplay
-                                             : ColorTag::kLinear;
-            shared.id = {static_cast<std::uint32_t>(images_.size())};
-            images_.push_back(std::move(copy));
-        } else {
-            also_here(shared.finding, span);
-        }
+        also_here(other->second.finding, span);
+        const CachedImage shared = for_other_use(other->second, written, span, data, what);
         return image_cache_[{path, data}] = shared;
     }
 
@@ -181,26 +189,85 @@ AssetLoader::CachedImage AssetLoader::load_image(const std::string& path, std::s
         result.finding = read_failed(read, name, path, span, file_limit());
         return image_cache_[{path, data}] = result;
     }
-    DecodedImage decoded = decode_image(read.bytes, options_.limits.image_pixels);
-    if (decoded.status != DecodeStatus::kOk) {
-        const bool large = decoded.status == DecodeStatus::kTooLarge;
+    const std::uint64_t most = options_.limits.image_pixels;
+    std::uint64_t needed = 0;
+    if (const auto header = image::read_header(read.bytes);
+        header && image::size_problem(header->width, header->height, most).empty()) {
+        needed = bytes_of_image(header->width, header->height, header->floats, data);
+        if (needed > bytes_left_) {
+            result.finding = no_room(name, path, span, needed,
+                                     size_text(header->width, header->height) + " pixels");
+            return image_cache_[{path, data}] = result;
+        }
+    }
+    image::Decoded decoded = image::decode(read.bytes, {most, false});
+    if (decoded.status != image::Status::kOk) {
+        const bool large = decoded.status == image::Status::kTooLarge;
         result.finding =
             add(large ? kTooLarge : kCorrupt,
                 name + (large ? " is too large: " : " cannot be decoded: ") + decoded.reason, span,
                 {"tried " + quoted(path)});
         return image_cache_[{path, data}] = result;
     }
-    Image& image = decoded.image;
+    bytes_left_ -= needed;
+    result.floats = !decoded.floats.empty();
+    result.id = {static_cast<std::uint32_t>(images_.size())};
+    Image& image = images_.emplace_back();
+    image.width = decoded.width;
+    image.height = decoded.height;
     image.path = path;
     image.source = sources_.add(path, {});
-    if (data) image.tag = ColorTag::kData;
-    if (!keep_pixels_) {
-        image.bytes = {};
-        image.floats = {};
+    image.tag = tag_of(data, result.floats);
+    image.constant =
+        result.floats ? all_texels_equal(decoded.floats) : all_texels_equal(decoded.bytes);
+    if (keep_pixels_) {
+        image.bytes = std::move(decoded.bytes);
+        image.floats = std::move(decoded.floats);
     }
-    result.id = {static_cast<std::uint32_t>(images_.size())};
-    images_.push_back(std::move(image));
     return image_cache_[{path, data}] = result;
+}
+
+AssetLoader::CachedImage AssetLoader::for_other_use(CachedImage loaded, std::string_view written,
+                                                    Span span, bool data, const char* what) {
+    if (!loaded.id.valid()) return loaded;
+    const Image& first = images_[loaded.id.value];
+    if (loaded.floats || !options_.decode_srgb) {
+        // The same numbers serve both uses; what a colour is tagged says more.
+        if (!data) images_[loaded.id.value].tag = tag_of(data, loaded.floats);
+        return loaded;
+    }
+    // Two copies that are not the same: a colour becomes light, as floats, and data stays bytes.
+    const std::uint64_t needed = bytes_of_image(first.width, first.height, loaded.floats, data);
+    if (needed > bytes_left_) {
+        CachedImage result;
+        result.finding = no_room(std::string(what) + " " + quoted(written), first.path, span,
+                                 needed, size_text(first.width, first.height) + " pixels");
+        return result;
+    }
+    bytes_left_ -= needed;
+    Image copy = first;
+    copy.tag = tag_of(data, loaded.floats);
+    loaded.id = {static_cast<std::uint32_t>(images_.size())};
+    images_.push_back(std::move(copy));
+    return loaded;
+}
+
+std::uint64_t AssetLoader::bytes_of_image(std::uint64_t width, std::uint64_t height, bool floats,
+                                          bool data) const {
+    const bool becomes_floats = floats || (options_.decode_srgb && !data);
+    const std::uint64_t pixel = becomes_floats ? 3 * sizeof(float) : 3;
+    const std::uint64_t pixels = width * height;  // both are below 2^32
+    return pixels > ~std::uint64_t{0} / pixel ? ~std::uint64_t{0} : pixels * pixel;
+}
+
+std::size_t AssetLoader::no_room(const std::string& what, const std::string& path, Span span,
+                                 std::uint64_t needed, const std::string& size) {
+    return add(kTooLarge,
+               what + " is too large: it takes " + std::to_string(needed) + " bytes (" + size +
+                   "), and of the " + std::to_string(options_.limits.asset_bytes) +
+                   " bytes for all assets of a scene together " + std::to_string(bytes_left_) +
+                   " are left",
+               span, {"tried " + quoted(path)});
 }
 
 std::vector<Image> AssetLoader::take_images() {
@@ -305,13 +372,11 @@ CubeMapId AssetLoader::cube_map(std::string_view written, Span span) {
     for (std::size_t f = 0; f < kFaces.size(); ++f) {
         const Image& face = images_[map.faces[f].value];
         if (face.width == first.width && face.height == first.width) continue;
-        const auto size = [](const Image& image) {
-            return std::to_string(image.width) + " x " + std::to_string(image.height);
-        };
-        std::string message = "cube map face " + quoted(kFaces[f] + ending) + " is " + size(face);
-        message += face.width != face.height
-                       ? ", not square"
-                       : ", but " + quoted(kFaces[0] + ending) + " is " + size(first);
+        std::string message = "cube map face " + quoted(kFaces[f] + ending) + " is " +
+                              size_text(face.width, face.height);
+        message += face.width != face.height ? ", not square"
+                                             : ", but " + quoted(kFaces[0] + ending) + " is " +
+                                                   size_text(first.width, first.height);
         finding = add(kCubeShape, std::move(message), span, {"tried " + quoted(face.path)});
         return id;
     }
@@ -334,14 +399,26 @@ std::size_t AssetLoader::obj(std::string_view path, Span span) {
     cached_index = index;
     finding = kNone;
 
+    const std::string name = "mesh " + quoted(path);
     ReadResult read = files_.read(resolved, file_limit());
     if (read.status != ReadStatus::kOk) {
-        finding = read_failed(read, "mesh " + quoted(path), resolved, span, file_limit());
+        finding = read_failed(read, name, resolved, span, file_limit());
         return index;
+    }
+    // The text is kept beside what becomes of it, for findings to point into.
+    const std::uint64_t text_bytes = read.bytes.size();
+    if (text_bytes > bytes_left_ / (1 + kMostBytesPerTextByte)) {
+        const std::uint64_t needed = text_bytes + obj_bytes_at_most(read.bytes);
+        if (needed > bytes_left_) {
+            finding = no_room(name, resolved, span, needed,
+                              std::to_string(text_bytes) + " bytes of text");
+            return index;
+        }
     }
     const ObjRules rules =
         options_.compat == Compat::kNone ? ObjRules::kStandard : ObjRules::kPublished;
     loaded.file = read_obj(read.bytes, rules, options_.limits.mesh_faces);
+    bytes_left_ -= text_bytes + bytes_of(loaded.file);
     loaded.source = sources_.add(resolved, std::move(read.bytes));
     loaded.usable = !loaded.file.faces.empty();
     report_problems(loaded, span);

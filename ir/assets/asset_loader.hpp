@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Textures, cube maps and meshes of one scene. Input: paths as the scene names them. Output: pixels
 // in Scene::images, parsed meshes, and diagnostics. Invariant: no file is read twice, no size is
-// believed before it is checked, and each finding is reported once, with every place in the scene
-// that names the file.
+// believed before it is checked, all assets together keep to the limit, and each finding is
+// reported once, with every place in the scene that names the file.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,8 @@ class AssetLoader {
           sources_(sources),
           files_(files),
           options_(options),
-          keep_pixels_(keep_pixels) {}
+          keep_pixels_(keep_pixels),
+          bytes_left_(options.limits.asset_bytes) {}
 
     /// `span` is the path's place in the scene. A texture that cannot be read gives a magenta
     /// checker, a normal or bump map an invalid id.
@@ -73,12 +74,21 @@ class AssetLoader {
     struct CachedImage {
         ImageId id;                   ///< invalid: unusable
         std::size_t finding = kNone;  ///< index into found_ if unusable
+        bool floats = false;          ///< an HDR file
     };
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     CachedImage load_image(const std::string& path, std::string_view written, source::Span span,
                            bool data, const char* what);
+    /// What was loaded as data, as a colour (or the reverse).
+    CachedImage for_other_use(CachedImage loaded, std::string_view written, source::Span span,
+                              bool data, const char* what);
     ImageId checker();
+    /// What a picture takes in the end, in bytes.
+    [[nodiscard]] std::uint64_t bytes_of_image(std::uint64_t width, std::uint64_t height,
+                                               bool floats, bool data) const;
+    std::size_t no_room(const std::string& what, const std::string& path, source::Span span,
+                        std::uint64_t needed, const std::string& size);
     std::size_t add(const source::DiagnosticCode& code, std::string message, source::Span span,
                     std::vector<std::string> notes);
     std::size_t read_failed(const source::ReadResult& result, const std::string& what,
@@ -94,6 +104,8 @@ class AssetLoader {
     source::FileSource& files_;
     const LowerOptions& options_;
     bool keep_pixels_;
+    /// Of limits.asset_bytes; taken as if pixels were kept, so that lint finds what a render does.
+    std::uint64_t bytes_left_;
 
     std::vector<Image> images_;
     std::vector<CubeMap> cube_maps_;

@@ -94,6 +94,13 @@ void AssetLoader::report_problems(const LoadedObj& loaded, Span span) {
             "and " + std::to_string(file.problem_count - file.problems.size()) +
             " more errors in this file");
     }
+    for (const ObjProblem& remark : file.remarks) {
+        report(about(*remark.code, remark.message, {loaded.source, remark.begin, remark.end}, span),
+               span);
+    }
+    if (file.remarks.size() == kMaxObjRemarks) {
+        found_.back().diagnostic.notes.emplace_back("other words are not listed");
+    }
     const std::string_view text = sources_.text(loaded.source);
     if (file.faces.empty()) {
         report(about(kEmpty, "mesh has no usable face", {loaded.source, 0, 0}, span), span);

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "frontend/check/check.hpp"
-#include "ir/lower/inverse.hpp"
 #include "ir/lower/moves.hpp"
 #include "ir/scene/scene.hpp"
 

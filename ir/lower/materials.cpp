@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ir/assets/obj/mesh_normals.hpp"
-#include "ir/assets/transfer.hpp"
 #include "ir/math/elementary.hpp"
+#include "ir/math/srgb.hpp"
 
 namespace cobble::ir {
 namespace {
@@ -15,16 +15,15 @@ using frontend::BlockNodeId;
 using frontend::BlockView;
 using frontend::CheckedScene;
 using grammar::BlockId;
+using math::vec;
 using math::Vec3d;
-
-Vec3d vec(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 double radians(double degrees) { return degrees * (math::kPi / 180); }
 
 Color color(const std::optional<std::array<double, 3>>& written, Color fallback,
             const LowerOptions& options) {
     const Color display = written ? vec(*written) : fallback;
-    return options.decode_srgb ? srgb_to_linear(display) : display;
+    return options.decode_srgb ? math::srgb_to_linear(display) : display;
 }
 
 /// A unit vector perpendicular to a unit vector: with the axis along which it is smallest.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "frontend/ast/views.hpp"
+#include "frontend/check/vectors.hpp"
 #include "ir/math/elementary.hpp"
 
 namespace cobble::ir {
@@ -162,8 +163,7 @@ void judge(const Move& move, MoveList& list) {
             const Vec3d from = math::normalize(Vec3d{a[0], a[1], a[2]});
             const Vec3d to = math::normalize(Vec3d{b[0], b[1], b[2]});
             const double between = math::atan2(math::length(cross(from, to)), dot(from, to));
-            // Opposite axes meet zero on the way.
-            list.vanishes |= between > 3.14159;
+            list.vanishes |= frontend::are_opposite({a[0], a[1], a[2]}, {b[0], b[1], b[2]});
             list.turn_degrees += std::fabs(b[3] - a[3]) + 2 * degrees(between);
             return;
         }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ir/assets/obj/mesh_normals.hpp"
+#include "ir/math/inverse.hpp"
 
 namespace cobble::ir {
 namespace {
@@ -16,11 +17,8 @@ using frontend::BlockNodeId;
 using frontend::BlockView;
 using grammar::BlockId;
 using math::Affined;
+using math::vec;
 using math::Vec3d;
-
-Vec3d vec(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
-
-bool finite(Vec3d v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 bool is_identity(const Affined& map) { return map == Affined(); }
 
@@ -113,7 +111,7 @@ std::optional<Keys> ShapeBuilder::placement(std::uint32_t frame) {
     const auto first = static_cast<std::uint32_t>(scene_.placements.size());
     for (std::uint32_t k = 0; k < count; ++k) {
         const Affined& map = frames_.map(frame, k);
-        const auto inverse = invert(map);
+        const auto inverse = math::invert(map);
         if (!inverse) {
             scene_.placements.resize(first);
             return std::nullopt;
@@ -149,13 +147,7 @@ void ShapeBuilder::finish() {
         for (std::uint32_t k = 0; k + 1 < keys.count; ++k) {
             const Affined& a = scene_.placements[keys.first + k].world_to_object;
             const Affined& b = scene_.placements[keys.first + k + 1].world_to_object;
-            Affined middle;
-            for (std::size_t i = 0; i < 3; ++i) {
-                for (std::size_t j = 0; j < 4; ++j) {
-                    middle.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], 0.5);
-                }
-            }
-            const auto seen = invert(middle);
+            const auto seen = math::invert(math::lerp(a, b, 0.5));
             if (!seen) continue;
             const Affined& truth = frames_.map_between(frame, k);
             for (unsigned corner = 0; corner < 8; ++corner) {
@@ -187,7 +179,7 @@ bool ShapeBuilder::sphere_instance(Vec3d center, double radius, std::uint32_t fr
     }
     for (std::uint32_t k = 0; k < count; ++k) {
         const Affined map = frames_.map(frame, k) * local;
-        const auto inverse = invert(map);
+        const auto inverse = math::invert(map);
         if (!inverse) {
             scene_.placements.resize(first);
             return false;
@@ -382,7 +374,7 @@ bool ShapeBuilder::place_mesh(std::uint32_t mesh, bool sole, BlockNodeId block, 
         if (!sole) return true;
         bake(m, scene_.placements[keys->first], placed_[frame].mirrors);
         object.placement = {};
-        return std::all_of(m.positions.begin(), m.positions.end(), finite);
+        return std::all_of(m.positions.begin(), m.positions.end(), math::finite<double>);
     }
     if (mesh_bounds_.size() <= mesh) mesh_bounds_.resize(mesh + std::size_t{1});
     if (!mesh_bounds_[mesh]) mesh_bounds_[mesh] = bounds_of(m.positions);

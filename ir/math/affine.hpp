@@ -46,6 +46,18 @@ struct Affine {
 
 using Affined = Affine<double>;
 
+/// Entry by entry: how a moving thing's world-to-object map runs from one key to the next.
+template <typename T>
+constexpr Affine<T> lerp(const Affine<T>& a, const Affine<T>& b, T f) {
+    Affine<T> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            result.rows[i][j] = lerp(a.rows[i][j], b.rows[i][j], f);
+        }
+    }
+    return result;
+}
+
 /// a after b.
 template <typename T>
 constexpr Affine<T> operator*(const Affine<T>& a, const Affine<T>& b) {

@@ -2,6 +2,7 @@
 // Small vectors. Sums of three are (x + y) + z everywhere, so that a result has one value.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -42,6 +43,14 @@ struct Vec3 {
 using Vec2d = Vec2<double>;
 using Vec3d = Vec3<double>;
 using Vec3f = Vec3<float>;
+
+constexpr Vec3d vec(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+
+/// No component is NaN or infinite.
+template <typename T>
+bool finite(Vec3<T> a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 
 template <typename T>
 constexpr T dot(Vec3<T> a, Vec3<T> b) {

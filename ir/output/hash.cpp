@@ -120,10 +120,10 @@ class Encoder {
         }
     }
 
-    void image(ImageId id) {
+    void image(ImageId id, bool data) {
         integer(id.valid() ? 1 : 0);
         if (!id.valid()) return;
-        const auto known = images_.find(id.value);
+        const auto known = images_.find({id.value, data});
         if (known != images_.end()) return digest(known->second);
         const Image& picture = scene_.images[id.value];
         Sha256 sha;
@@ -136,19 +136,21 @@ class Encoder {
         };
         add(picture.width);
         add(picture.height);
-        add(static_cast<std::uint64_t>(picture.tag));
+        // By its use, not its tag: one picture may be both.
+        const ColorTag colour = picture.floats.empty() ? ColorTag::kDisplay : ColorTag::kLinear;
+        add(static_cast<std::uint64_t>(data ? ColorTag::kData : colour));
         add(picture.bytes.empty() ? 0 : 1);
         sha.add(picture.bytes.data(), picture.bytes.size());
         for (const float value : picture.floats) {
             add(std::bit_cast<std::uint32_t>(value + 0.0F));
         }
-        digest(images_[id.value] = sha.finish());
+        digest(images_[{id.value, data}] = sha.finish());
     }
 
     void cube_map(CubeMapId id) {
         integer(id.valid() ? 1 : 0);
         if (!id.valid()) return;
-        for (const ImageId face : scene_.cube_maps[id.value].faces) image(face);
+        for (const ImageId face : scene_.cube_maps[id.value].faces) image(face, false);
     }
 
     void material(const Material& m) {
@@ -156,9 +158,9 @@ class Encoder {
         vector(m.specular);
         number(m.shininess);
         number(m.refraction_index);
-        image(m.texture);
-        image(m.normal_map);
-        image(m.bump_map);
+        image(m.texture, false);
+        image(m.normal_map, true);
+        image(m.bump_map, true);
         cube_map(m.cube_map);
         // How pictures are read matters only where there are some; a cube map has no scale.
         const bool pictures = m.texture.valid() || m.normal_map.valid() || m.bump_map.valid();
@@ -258,7 +260,7 @@ class Encoder {
     std::size_t size_ = 0;
     std::vector<std::size_t> numbers_;  ///< per material, for those in use
     std::vector<MaterialId> order_;
-    std::map<std::uint32_t, Sha256::Digest> images_;
+    std::map<std::pair<std::uint32_t, bool>, Sha256::Digest> images_;  ///< by id, is data
     std::map<std::uint32_t, Sha256::Digest> meshes_;
 };
 

@@ -29,6 +29,23 @@ struct Task {
     std::uint32_t node, first, count, depth;
 };
 
+bool is_set(const std::atomic<bool>* flag) {
+    return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
+
+/// Calls work(i) for each i from `first` on, `count` of them, but ends early once `cancelled` is
+/// true: a pass over all items of a large scene takes longer than anybody wants to wait.
+template <typename Work>
+void for_each_index(std::uint32_t first, std::uint32_t count, const std::atomic<bool>* cancelled,
+                    Work work) {
+    constexpr std::uint32_t kBetweenLooks = 1U << 14U;  // some 0.1 ms
+    for (std::uint32_t done = 0; done < count && !is_set(cancelled);) {
+        const std::uint32_t some = count - done < kBetweenLooks ? count - done : kBetweenLooks;
+        for (std::uint32_t i = first + done; i < first + done + some; ++i) work(i);
+        done += some;
+    }
+}
+
 /// Half the surface; 0 for an empty box. In double: a float's square may overflow.
 template <typename T>
 double half_area(const BoxBounds<T>& b) {
@@ -48,16 +65,17 @@ double twice_center(const BoxBounds<T>& b, std::size_t axis) {
 /// Items for which `left` holds first, both halves in their old order; gives how many.
 template <typename T, typename Left>
 std::uint32_t stable_split(std::vector<BuildItem<T>>& items, std::vector<BuildItem<T>>& scratch,
-                           std::uint32_t first, std::uint32_t count, Left left) {
+                           std::uint32_t first, std::uint32_t count,
+                           const std::atomic<bool>* cancelled, Left left) {
     std::uint32_t kept = 0;
     scratch.clear();
-    for (std::uint32_t i = first; i < first + count; ++i) {
+    for_each_index(first, count, cancelled, [&](std::uint32_t i) {
         if (left(items[i])) {
             items[first + kept++] = items[i];
         } else {
             scratch.push_back(items[i]);
         }
-    }
+    });
     for (std::uint32_t i = 0; i < scratch.size(); ++i) items[first + kept + i] = scratch[i];
     return kept;
 }
@@ -79,25 +97,26 @@ struct Split {
 
 /// The best of all bin borders on all axes; infinite cost if all centres coincide.
 template <typename T>
-Split best_split(const std::vector<BuildItem<T>>& items, std::uint32_t first, std::uint32_t count) {
+Split best_split(const std::vector<BuildItem<T>>& items, std::uint32_t first, std::uint32_t count,
+                 const std::atomic<bool>* cancelled) {
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         double lo = std::numeric_limits<double>::infinity();
         double hi = -lo;
-        for (std::uint32_t i = first; i < first + count; ++i) {
+        for_each_index(first, count, cancelled, [&](std::uint32_t i) {
             const double c = twice_center(items[i].bounds, axis);
             lo = c < lo ? c : lo;
             hi = c > hi ? c : hi;
-        }
+        });
         const double per_unit = kBins / (hi - lo);
         if (!(hi > lo) || !(per_unit <= std::numeric_limits<double>::max())) continue;
         std::array<BoxBounds<T>, kBins> bounds;
         std::array<std::uint32_t, kBins> counts{};
-        for (std::uint32_t i = first; i < first + count; ++i) {
+        for_each_index(first, count, cancelled, [&](std::uint32_t i) {
             const std::uint32_t bin = bin_of(items[i], axis, lo, per_unit);
             bounds[bin].add(items[i].bounds);
             counts[bin] += 1;
-        }
+        });
         std::array<double, kBins> right_cost{};
         BoxBounds<T> sum;
         std::uint32_t n = 0;
@@ -119,10 +138,6 @@ Split best_split(const std::vector<BuildItem<T>>& items, std::uint32_t first, st
     return best;
 }
 
-bool is_set(const std::atomic<bool>* flag) {
-    return flag != nullptr && flag->load(std::memory_order_relaxed);
-}
-
 /// Not to be used if `cancelled` has become true.
 template <typename T>
 std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items,
@@ -136,10 +151,10 @@ std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items,
         BoxBounds<T> bounds;
         bool mixed = false;
         const PrimitiveKind kind = items[task.first].kind;
-        for (std::uint32_t i = task.first; i < task.first + task.count; ++i) {
+        for_each_index(task.first, task.count, cancelled, [&](std::uint32_t i) {
             bounds.add(items[i].bounds);
             mixed = mixed || items[i].kind != kind;
-        }
+        });
         nodes[task.node].bounds = bounds;
         nodes[task.node].first = task.first;
         nodes[task.node].count = task.count;
@@ -148,21 +163,24 @@ std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items,
         const bool may_be_leaf = task.count <= kMaxLeaf;
         if (task.count > 1) {
             Split split;
-            if (task.depth < kHalvingDepth) split = best_split(items, task.first, task.count);
+            if (task.depth < kHalvingDepth) {
+                split = best_split(items, task.first, task.count, cancelled);
+            }
             const double area = half_area(bounds);
             // One step of the traversal costs about what one primitive does.
             if (!may_be_leaf || split.cost + area < area * task.count) {
                 if (split.cost < std::numeric_limits<double>::infinity()) {
-                    left = stable_split(
-                        items, scratch, task.first, task.count, [&](const BuildItem<T>& item) {
-                            return bin_of(item, split.axis, split.lo, split.per_unit) < split.bin;
-                        });
+                    left = stable_split(items, scratch, task.first, task.count, cancelled,
+                                        [&](const BuildItem<T>& item) {
+                                            return bin_of(item, split.axis, split.lo,
+                                                          split.per_unit) < split.bin;
+                                        });
                 } else if (!may_be_leaf) {
                     left = task.count / 2;
                 }
             }
             if (left == 0 && mixed) {
-                left = stable_split(items, scratch, task.first, task.count,
+                left = stable_split(items, scratch, task.first, task.count, cancelled,
                                     [&](const BuildItem<T>& item) { return item.kind == kind; });
             }
         }
@@ -200,6 +218,7 @@ Tree<T> build_tree(std::vector<BuildItem<T>>& items, const std::atomic<bool>* ca
     std::vector<Pending> pending{{0, 0}};
     tree.nodes.resize(1);
     while (!pending.empty()) {
+        if (is_set(cancelled)) return {};
         const Pending at = pending.back();
         pending.pop_back();
         std::array<std::uint32_t, Node<T>::kWidth> children{at.binary};

@@ -26,6 +26,11 @@ double uniform(std::uint64_t seed, std::uint32_t x, std::uint32_t y, std::uint32
     return static_cast<double>(state >> 11) * 0x1p-53;
 }
 
+CompatRules without_grid(CompatRules rules) {
+    rules.grid = 1;
+    return rules;
+}
+
 enum Use : std::uint32_t { kJitterX, kJitterY, kLensRadius, kLensAngle };
 
 /// A tile on its way: samples 0 to `next` are there, and the next one perhaps half.
@@ -55,7 +60,9 @@ class CompatRenderer : public TileRenderer {
         : settings_(settings),
           prepared_(prepare<double>(scene, {reference(settings.acceleration), true, cancelled})),
           scene_{&scene, &prepared_, rules_of(scene.compat, settings)},
-          camera_(scene.camera, scene_.rules, settings.width, settings.height) {}
+          camera_(scene.camera, scene_.rules, settings.width, settings.height),
+          plain_camera_(scene.camera, without_grid(scene_.rules), settings.width, settings.height) {
+    }
 
     [[nodiscard]] std::uint64_t bytes() const { return prepared_.bytes(); }
 
@@ -93,7 +100,7 @@ class CompatRenderer : public TileRenderer {
         state.trace.step(scene_, work.counters);
         state.tracing = !state.trace.done();
         if (state.tracing) return;
-        if (is_finite(state.trace.color())) {
+        if (finite(state.trace.color())) {
             state.lens_sum += state.trace.color();
         } else {
             report(state, work, x / scene_.rules.grid, y / scene_.rules.grid);
@@ -153,10 +160,7 @@ class CompatRenderer : public TileRenderer {
 
     /// Depth and normals are those at the pixel's place in the plain picture, whatever the grid.
     void add_first_hit(std::uint32_t x, std::uint32_t y, Pixel& pixel, Counters& counters) const {
-        CompatRules plain = scene_.rules;
-        plain.grid = 1;
-        const CompatCamera camera(scene_.scene->camera, plain, settings_.width, settings_.height);
-        const CompatCamera::Ray ray = camera.ray(camera.direction(x, y, 0, 0));
+        const CompatCamera::Ray ray = plain_camera_.ray(plain_camera_.direction(x, y, 0, 0));
         const CompatFirstHit first = compat_first_hit(scene_, ray.origin, ray.direction, counters);
         ++counters.camera_rays;
         if (!first.hit) return;
@@ -169,6 +173,7 @@ class CompatRenderer : public TileRenderer {
     PreparedScene<double> prepared_;
     CompatScene scene_;
     CompatCamera camera_;
+    CompatCamera plain_camera_;  ///< of the picture without a grid
 };
 
 }  // namespace

@@ -58,16 +58,12 @@ struct Pixel {
     std::uint32_t samples = 0;  ///< those that count
 };
 
-inline bool is_finite(math::Vec3d v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// Colour, normal and albedo are means over all samples; depth is the mean over those that hit.
 class PixelAccumulator {
   public:
     /// False, and nothing added, if any number of the sample is NaN or infinite.
     [[nodiscard]] bool add(const Sample& sample) {
-        if (!is_finite(sample.color) || !is_finite(sample.normal) || !is_finite(sample.albedo) ||
+        if (!finite(sample.color) || !finite(sample.normal) || !finite(sample.albedo) ||
             (sample.hit && !std::isfinite(sample.depth))) {
             return false;
         }

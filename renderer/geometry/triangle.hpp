@@ -4,9 +4,12 @@
 //
 // The vertices are sheared so that the ray runs along an axis; three edge functions say on which
 // side it passes each edge. Plain products and differences round monotonically, so that a non-zero
-// edge function has its exact sign; whatever is too small or too large to trust, and the t, u and v
-// of whatever is accepted, are computed in twice the precision and rounded once. Two triangles that
-// share an edge see the same two sheared points, and so can not both miss.
+// edge function of the sheared points has its exact sign, and two triangles that share an edge,
+// which see the same two points, can not both miss. The points themselves are rounded, so that an
+// edge that ends in the middle of another needs more: a triangle is refused only where two edge
+// functions have opposite signs beyond all that they may err by, and what is too near to an edge to
+// say so is decided in twice the precision (near_edge()). The t, u and v of what is accepted are
+// computed in twice the precision and rounded once.
 #pragma once
 
 #include <array>
@@ -126,6 +129,40 @@ int moved_sign(ShearedPoint<T> p, ShearedPoint<T> q) {
 inline float common_scale(const std::array<ShearedPoint<float>, 3>&) { return 1; }
 double common_scale(const std::array<ShearedPoint<double>, 3>& points);
 
+/// What is known of a hit once its weights are: t is where the ray meets the plane of the vertices;
+/// their differences are not sheared, so that a sliver's t is as good as its plane.
+template <typename T>
+TriangleHit<T> met_at(const RayShear<T>& ray, const std::array<math::Vec3<T>, 3>& vertices,
+                      const std::array<Wide<T>, 3>& weights, Wide<T> det) {
+    using W = Wide<T>;
+    const math::Vec3<W> p0 = widen(vertices[0]);
+    const math::Vec3<W> normal = cross(widen(vertices[1]) - p0, widen(vertices[2]) - p0);
+    const W along = dot(normal, widen(ray.direction));
+    const auto& [u, v, w] = weights;
+    W t;
+    if (sign_of(along) != 0) {
+        t = dot(normal, p0 - widen(ray.origin)) / along;
+    } else {
+        // Seen edge-on but for the rounding of the shear: the mean of the vertices' depths.
+        const auto depth = [&](std::size_t i) {
+            return W(vertices[i][ray.kz]) - W(ray.origin[ray.kz]);
+        };
+        t = ((u * depth(0) + v * depth(1)) + w * depth(2)) / (det * W(ray.direction[ray.kz]));
+    }
+    return TriangleHit<T>{static_cast<T>(t), static_cast<T>(v / det), static_cast<T>(w / det)};
+}
+
+/// What an edge function of sheared points may be off by. `size`: of the points, the sum of all six
+/// magnitudes; `depth`: the vertices' farthest along the ray's axis; `unit`: half the distance from
+/// 1 to the next number. A slope of at most 1 errs by 1 unit, so that a sheared number errs by 2
+/// units of itself and 4 of its depth; two of them multiply with others of at most `size`. The rest
+/// is for the squares of those errors, and for the roundings of this bound.
+template <typename R>
+R edge_error(R unit, R size, R depth) {
+    const R reach = size + 16 * unit * depth;
+    return 8 * unit * reach * (reach + depth);
+}
+
 template <typename T>
 std::optional<TriangleHit<T>> triangle_in_wide(const RayShear<T>& ray,
                                                const std::array<math::Vec3<T>, 3>& vertices,
@@ -151,24 +188,17 @@ std::optional<TriangleHit<T>> triangle_in_wide(const RayShear<T>& ray,
     }
     const W det = (u + v) + w;
     if (sign_of(det) == 0) return std::nullopt;
-
-    // t where the ray meets the plane of the vertices; their differences are not sheared, so that a
-    // sliver's t is as good as its plane.
-    const math::Vec3<W> p0 = widen(vertices[0]);
-    const math::Vec3<W> normal = cross(widen(vertices[1]) - p0, widen(vertices[2]) - p0);
-    const W along = dot(normal, widen(ray.direction));
-    W t;
-    if (sign_of(along) != 0) {
-        t = dot(normal, p0 - widen(ray.origin)) / along;
-    } else {
-        // Seen edge-on but for the rounding of the shear: the mean of the vertices' depths.
-        const auto depth = [&](std::size_t i) {
-            return W(vertices[i][ray.kz]) - W(ray.origin[ray.kz]);
-        };
-        t = ((u * depth(0) + v * depth(1)) + w * depth(2)) / (det * W(ray.direction[ray.kz]));
-    }
-    return TriangleHit<T>{static_cast<T>(t), static_cast<T>(v / det), static_cast<T>(w / det)};
+    return met_at(ray, vertices, {u, v, w}, det);
 }
+
+/// For what triangle_in_wide() leaves out because a sheared point was rounded: points in a row need
+/// not stay in a row, and where the end of an edge lies on another edge a ray could pass between
+/// the two. The points are sheared anew in the wide type, and whatever is not surely outside is
+/// inside: a line that meets the triangle is never lost, and one that misses it is refused but for
+/// 2^-50 of the size of its surroundings. Nothing for a triangle that is seen edge-on.
+template <typename T>
+std::optional<TriangleHit<T>> near_edge(const RayShear<T>& ray,
+                                        const std::array<math::Vec3<T>, 3>& vertices);
 
 }  // namespace detail
 
@@ -178,19 +208,27 @@ template <typename T>
 std::optional<TriangleHit<T>> intersect_triangle(const RayShear<T>& ray,
                                                  const std::array<math::Vec3<T>, 3>& vertices,
                                                  EdgeRule rule = EdgeRule::kInclusive) {
-    const auto a = detail::shear(ray, vertices[0] - ray.origin);
-    const auto b = detail::shear(ray, vertices[1] - ray.origin);
-    const auto c = detail::shear(ray, vertices[2] - ray.origin);
+    const math::Vec3<T> p = vertices[0] - ray.origin;
+    const math::Vec3<T> q = vertices[1] - ray.origin;
+    const math::Vec3<T> r = vertices[2] - ray.origin;
+    const auto a = detail::shear(ray, p);
+    const auto b = detail::shear(ray, q);
+    const auto c = detail::shear(ray, r);
+    const T depth = (std::fabs(p[ray.kz]) + std::fabs(q[ray.kz])) + std::fabs(r[ray.kz]);
     const T u = c.x * b.y - c.y * b.x;
     const T v = a.x * c.y - a.y * c.x;
     const T w = b.x * a.y - b.y * a.x;
-    constexpr T kLeast = detail::kEdgeThreshold<T>;
-    const T sum = std::fabs(u) + std::fabs(v) + std::fabs(w);
+    const T least = u < v ? (u < w ? u : w) : (v < w ? v : w);
+    const T most = u > v ? (u > w ? u : w) : (v > w ? v : w);
+    // Below the threshold products may have lost bits to underflow.
+    const T size = ((std::fabs(a.x) + std::fabs(a.y)) + (std::fabs(b.x) + std::fabs(b.y))) +
+                   (std::fabs(c.x) + std::fabs(c.y));
+    const T error = detail::edge_error(kRounding<T>, size, depth) + detail::kEdgeThreshold<T>;
     // Written so that NaN and infinity are "not sure".
-    const bool sure = std::fabs(u) >= kLeast && std::fabs(v) >= kLeast && std::fabs(w) >= kLeast &&
-                      sum <= std::numeric_limits<T>::max();
-    if (sure && (u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
-    return detail::triangle_in_wide(ray, vertices, {a, b, c}, rule);
+    if (rule == EdgeRule::kInclusive && least < -error && most > error) return std::nullopt;
+    const auto hit = detail::triangle_in_wide(ray, vertices, {a, b, c}, rule);
+    if (hit || rule == EdgeRule::kHalfOpen) return hit;
+    return detail::near_edge(ray, vertices);
 }
 
 }  // namespace cobble::renderer

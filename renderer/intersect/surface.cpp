@@ -38,10 +38,6 @@ struct Local {
 Vec3d to_double(Vec3<double> a) { return a; }
 Vec3d to_double(Vec3<math::DoubleDouble> a) { return a.to<double>(); }
 
-bool finite(Vec3d a) {
-    return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z) <= std::numeric_limits<double>::max();
-}
-
 /// Unit length, for vectors of any size: scaled by a power of two first, so that no square leaves
 /// the range. A zero vector stays zero.
 Vec3d unit(Vec3d a) {
@@ -206,13 +202,7 @@ Affined between(const ir::Scene& scene, const ir::Keys& keys, double time) {
     const Affined a = scene.placements[keys.first + at.index].world_to_object;
     if (at.fraction == 0) return a;
     const Affined b = scene.placements[keys.first + at.index + 1].world_to_object;
-    Affined result;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) {
-            result.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], at.fraction);
-        }
-    }
-    return result;
+    return lerp(a, b, at.fraction);
 }
 
 template <typename T>
@@ -411,8 +401,13 @@ template <typename T>
 Departure<T> leave_toward(const SurfacePoint<T>& surface, math::Vec3<T> target, T time) {
     Departure<T> d = leave(surface, target - surface.position, time);
     d.ray.direction = target - d.ray.origin;
-    // A light that is as near as a rounding: any direction, for nothing can be in between.
-    if (d.ray.direction == math::Vec3<T>{}) d.ray.direction = surface.geometric_normal;
+    // A light that is as near as a rounding: any direction, and no length, for nothing can be in
+    // between.
+    if (d.ray.direction == math::Vec3<T>{}) {
+        d.ray.direction = surface.geometric_normal;
+        d.ray.t_max = 0;
+        return d;
+    }
     // t of a surface through the target errs by some roundings of 1, and by those of the target's
     // coordinates in units of the way to it.
     T largest = 0;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <exception>
+#include <tuple>
 #include <utility>
 
 #include "renderer/compat/compat_renderer.hpp"
@@ -139,22 +139,16 @@ class Job final : public RenderJob {
     bool prepared(Deadline deadline) {
         if (prepared_) return true;
         if (preparation_ == nullptr) {
-            preparation_ = scheduler_->start([this] {
-                try {
-                    prepare_all();
-                } catch (...) {
-                    preparation_failed_ = std::current_exception();  // out of memory
-                }
-            });
+            preparation_ = scheduler_->start([this] { prepare_all(); });
         }
         // Short waits, so that a cancelled job is noticed.
         constexpr std::chrono::milliseconds kWait{20};
         while (!preparation_->wait_until(std::min(deadline, Clock::now() + kWait))) {
             if (cancelled() || Clock::now() >= deadline) return false;
         }
-        if (preparation_failed_) std::rethrow_exception(preparation_failed_);
         prepared_ = !cancelled();
-        return prepared_;
+        // Where that was a step of its own, it is not to be made longer by rays.
+        return prepared_ && Clock::now() < deadline;
     }
 
     void prepare_all() {
@@ -237,7 +231,6 @@ class Job final : public RenderJob {
     double seconds_ = 0;
     bool complete_ = false;
     bool prepared_ = false;
-    std::exception_ptr preparation_failed_;
     std::unique_ptr<Background> preparation_;  ///< last: its end is waited for before all else goes
 };
 

@@ -33,8 +33,10 @@ class RenderJob {
     virtual ~RenderJob() = default;
 
     /// Works until `deadline` (overrun by at most 10 ms) or until done. The first steps prepare the
-    /// scene: beside the steps where the scheduler has threads, else within the first one, which
-    /// then takes as long as that takes (a few seconds for a million triangles) unless cancelled.
+    /// scene: beside the steps where the scheduler has threads. Where it has none the first step
+    /// does that and nothing else, and overruns its deadline by as long as it takes: about a second
+    /// for a mesh of a million triangles. Cancelled meanwhile, by a signal or another thread, it
+    /// ends within some 50 ms (measured for that mesh, most of it to give memory back).
     /// Results do not depend on deadlines, threads or tile size. Throws only if memory runs out.
     virtual Progress step(Deadline deadline) = 0;
     /// May be called from another thread or a signal handler; the running step returns soon.

@@ -18,7 +18,7 @@ class Background {
     virtual ~Background() = default;
 
     /// Waits until the work has ended, then true, or until `deadline`, then false. What the work
-    /// wrote may be read once this was true.
+    /// wrote may be read once this was true. Throws what the work threw.
     virtual bool wait_until(std::chrono::steady_clock::time_point deadline) = 0;
 };
 
@@ -32,10 +32,11 @@ class Scheduler {
 
     [[nodiscard]] virtual std::uint32_t workers() const = 0;
     /// Calls work(worker) once for each worker in [0, workers()), concurrently, and returns when
-    /// all have returned. `work` must not throw.
+    /// all have returned. What any of them threw (memory that ran out) is then thrown here, on the
+    /// caller's thread; if several did, that of the lowest worker.
     virtual void run(const std::function<void(std::uint32_t worker)>& work) = 0;
     /// Calls work() once, beside the caller if there are threads for that, else before this
-    /// returns. `work` must not throw.
+    /// returns.
     virtual std::unique_ptr<Background> start(std::function<void()> work) = 0;
 };
 

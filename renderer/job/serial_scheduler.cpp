@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <exception>
+#include <utility>
+
 #include "renderer/job/scheduler.hpp"
 
 namespace cobble::renderer {
@@ -6,7 +9,14 @@ namespace {
 
 class Finished final : public Background {
   public:
-    bool wait_until(std::chrono::steady_clock::time_point) override { return true; }
+    explicit Finished(std::exception_ptr failure) : failure_(std::move(failure)) {}
+    bool wait_until(std::chrono::steady_clock::time_point) override {
+        if (failure_) std::rethrow_exception(failure_);
+        return true;
+    }
+
+  private:
+    std::exception_ptr failure_;
 };
 
 class SerialScheduler final : public Scheduler {
@@ -14,8 +24,13 @@ class SerialScheduler final : public Scheduler {
     [[nodiscard]] std::uint32_t workers() const override { return 1; }
     void run(const std::function<void(std::uint32_t)>& work) override { work(0); }
     std::unique_ptr<Background> start(std::function<void()> work) override {
-        work();
-        return std::make_unique<Finished>();
+        std::exception_ptr failure;
+        try {
+            work();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        return std::make_unique<Finished>(std::move(failure));
     }
 };
 

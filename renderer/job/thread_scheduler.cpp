@@ -3,7 +3,9 @@
 // for each would cost more than the step's overhead.
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -29,12 +31,18 @@ class OnThread final : public Background {
 
     bool wait_until(std::chrono::steady_clock::time_point deadline) override {
         std::unique_lock lock(mutex_);
-        return changed_.wait_until(lock, deadline, [this] { return ended_; });
+        if (!changed_.wait_until(lock, deadline, [this] { return ended_; })) return false;
+        if (failure_) std::rethrow_exception(failure_);
+        return true;
     }
 
   private:
     void run() {
-        work_();
+        try {
+            work_();
+        } catch (...) {
+            failure_ = std::current_exception();
+        }
         const std::lock_guard lock(mutex_);
         ended_ = true;
         changed_.notify_all();
@@ -44,18 +52,23 @@ class OnThread final : public Background {
     std::mutex mutex_;
     std::condition_variable changed_;
     bool ended_ = false;
+    std::exception_ptr failure_;
     std::thread thread_;
 };
 
 class ThreadScheduler final : public Scheduler {
   public:
     explicit ThreadScheduler(std::uint32_t threads) {
+        // All memory first: once a thread runs, nothing may leave this constructor.
+        failures_.resize(threads);
+        threads_.reserve(threads);
         // The caller is worker 0. A system that gives fewer threads than asked gets fewer workers.
         try {
             for (std::uint32_t worker = 1; worker < threads; ++worker) {
                 threads_.emplace_back([this, worker] { serve(worker); });
             }
         } catch (const std::system_error&) {
+        } catch (const std::bad_alloc&) {
         }
     }
 
@@ -80,10 +93,16 @@ class ThreadScheduler final : public Scheduler {
             ++round_;
         }
         start_.notify_all();
-        work(0);
+        attempt(work, 0);
         std::unique_lock lock(mutex_);
         finished_.wait(lock, [this] { return running_ == 0; });
         work_ = nullptr;
+        std::exception_ptr first;
+        for (std::exception_ptr& failure : failures_) {
+            if (!first) first = failure;
+            failure = nullptr;
+        }
+        if (first) std::rethrow_exception(first);
     }
 
     std::unique_ptr<Background> start(std::function<void()> work) override {
@@ -91,6 +110,15 @@ class ThreadScheduler final : public Scheduler {
     }
 
   private:
+    /// An exception that left a thread's function would end the process.
+    void attempt(const std::function<void(std::uint32_t)>& work, std::uint32_t worker) {
+        try {
+            work(worker);
+        } catch (...) {
+            failures_[worker] = std::current_exception();
+        }
+    }
+
     void serve(std::uint32_t worker) {
         std::uint64_t round_done = 0;
         std::unique_lock lock(mutex_);
@@ -100,7 +128,7 @@ class ThreadScheduler final : public Scheduler {
             round_done = round_;
             const std::function<void(std::uint32_t)>& work = *work_;
             lock.unlock();
-            work(worker);
+            attempt(work, worker);
             lock.lock();
             if (--running_ == 0) finished_.notify_one();
         }
@@ -113,6 +141,7 @@ class ThreadScheduler final : public Scheduler {
     std::uint64_t round_ = 0;
     std::size_t running_ = 0;
     bool closing_ = false;
+    std::vector<std::exception_ptr> failures_;  ///< by worker, of this round
     std::vector<std::thread> threads_;
 };
 

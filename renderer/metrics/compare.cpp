@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ir/math/elementary.hpp"
+#include "ir/math/srgb.hpp"
 #include "renderer/metrics/flip.hpp"
 
 namespace cobble::renderer {
@@ -52,10 +53,6 @@ math::Vec3d pixel_of(const Plane32& plane, std::size_t index) {
             static_cast<double>(p[2 * step])};
 }
 
-bool finite(math::Vec3d v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// Rows of both pictures that are worked on at once.
 struct Band {
     std::size_t first, end;  ///< whose differences are wanted
@@ -88,7 +85,7 @@ LinearImage linear_image(const Plane32& plane, const Band& band, bool light,
             for (std::size_t c = 0; c < 3; ++c) {
                 const double inside = std::clamp(pixel[c], 0.0, 1.0);
                 if (own && inside != pixel[c] && c < plane.channels) ++clamped;
-                pixel[c] = light ? inside : light_of_display(inside);
+                pixel[c] = light ? inside : math::srgb_to_linear(inside);
             }
             image.pixels.push_back(pixel);
         }

@@ -217,10 +217,6 @@ Features features_of(const LinearImage& image, double pixels_per_degree) {
 
 }  // namespace
 
-double light_of_display(double display) {
-    return display <= 0.04045 ? display / 12.92 : math::pow((display + 0.055) / 1.055, 2.4);
-}
-
 std::size_t flip_reach(double pixels_per_degree) {
     return std::max(sensitivity_radius(pixels_per_degree), feature_radius(pixels_per_degree));
 }

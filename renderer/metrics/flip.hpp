@@ -18,9 +18,6 @@ struct LinearImage {
     std::vector<math::Vec3d> pixels;
 };
 
-/// IEC 61966-2-1: a display value in [0, 1] as light in [0, 1].
-double light_of_display(double display);
-
 /// How many pixels away a pixel still matters: the reach of the widest filter.
 std::size_t flip_reach(double pixels_per_degree);
 

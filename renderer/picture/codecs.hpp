@@ -3,22 +3,17 @@
 //
 // Encoders take a plane that picture_io.cpp has checked (its values match its size, one or three
 // channels, sides that the format can hold) or the bytes made of it; decoders take any bytes and
-// believe no number in them before it is checked against the length of the file and against
-// kMaxPixels.
+// believe no number in them before it is checked against the length of the file and the limit.
+// What textures are made of (PNG, JPEG, BMP, TGA, HDR) is read by ir/image.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "renderer/picture/picture_io.hpp"
 
 namespace cobble::renderer {
-
-/// The largest picture that is read: 8192 x 8192, 768 MiB as floats. A header that asks for more
-/// is refused before any memory is taken.
-inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 26;
 
 /// Rows from the top, `channels` (1 or 3) bytes a pixel.
 struct ByteImage {
@@ -34,30 +29,18 @@ Encoded encode_tga(const ByteImage& image);
 
 /// Portable float map: rows from the bottom, little-endian 32-bit floats.
 Encoded encode_pfm(const Plane32& plane);
-Decoded decode_pfm(std::string_view bytes);
+Decoded decode_pfm(std::string_view bytes, std::uint64_t max_pixels);
 
 /// Radiance RGBE: three 8-bit mantissas that share an exponent. Written without run lengths.
 Encoded encode_hdr(const Plane32& plane);
-Decoded decode_hdr(std::string_view bytes);
 
 /// OpenEXR, one part, scan lines. Written as 32-bit float, ZIP; read as half, float or 32-bit
 /// integers, uncompressed or run-length, ZIPS and ZIP compressed.
 Encoded encode_exr(const Plane32& plane);
-Decoded decode_exr(std::string_view bytes);
+Decoded decode_exr(std::string_view bytes, std::uint64_t max_pixels);
 
-/// PNG (8 and 16 bits), JPEG, BMP and TGA.
-Decoded decode_bitmap(std::string_view bytes);
-
-/// The reason why `bytes`, a BMP or TGA file by its first bytes, ends before its last pixel; empty
-/// if it does not, or if it is something else.
-std::string truncation_of(std::string_view bytes);
-
-/// zlib streams, for OpenEXR. inflate gives nothing unless exactly `size` bytes come out.
+/// A zlib stream, for OpenEXR; empty if there is no memory for it.
 std::string deflate(std::string_view bytes);
-std::optional<std::string> inflate(std::string_view bytes, std::size_t size);
-
-/// An error for a picture of these sides, or nothing. Zero sides are errors too.
-std::string size_error(std::uint64_t width, std::uint64_t height);
 
 /// A black picture of three channels.
 Plane32 make_plane(std::uint32_t width, std::uint32_t height);

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "ir/image/decoder.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
@@ -232,7 +233,7 @@ std::optional<std::string> unpacked(std::string_view data, std::uint8_t compress
     if (data.size() == size) return std::string(data);
     std::optional<std::string> raw;
     if (compression == kRle) raw = expanded_runs(data, size);
-    if (compression == kZip || compression == kZips) raw = inflate(data, size);
+    if (compression == kZip || compression == kZips) raw = image::inflate(data, size);
     if (raw) raw = restored(std::move(*raw));
     return raw;
 }
@@ -292,7 +293,7 @@ Encoded encode_exr(const Plane32& plane) {
     return result;
 }
 
-Decoded decode_exr(std::string_view bytes) {
+Decoded decode_exr(std::string_view bytes, std::uint64_t max_pixels) {
     Reader reader(bytes);
     reader.u32();
     const std::uint32_t version = reader.u32();
@@ -303,7 +304,9 @@ Decoded decode_exr(std::string_view bytes) {
     if (std::string error = read_header(reader, header); !error.empty()) return failed(error);
     const auto width = static_cast<std::uint64_t>(header.x1 - header.x0 + 1);
     const auto height = static_cast<std::uint64_t>(header.y1 - header.y0 + 1);
-    if (std::string error = size_error(width, height); !error.empty()) return failed(error);
+    if (std::string error = image::size_problem(width, height, max_pixels); !error.empty()) {
+        return failed(std::move(error));
+    }
     std::size_t line_bytes = 0;
     for (const Channel& channel : header.channels) line_bytes += channel.bytes() * width;
 

@@ -6,6 +6,7 @@
 
 #include <bit>
 
+#include "ir/image/decoder.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
@@ -66,7 +67,7 @@ Encoded encode_pfm(const Plane32& plane) {
     return result;
 }
 
-Decoded decode_pfm(std::string_view bytes) {
+Decoded decode_pfm(std::string_view bytes, std::uint64_t max_pixels) {
     std::string_view rest = bytes;
     const std::string_view kind = take_word(rest);
     if (kind != "PF" && kind != "Pf") return failed("the PFM file's header is malformed");
@@ -76,7 +77,9 @@ Decoded decode_pfm(std::string_view bytes) {
     if (scale.empty() || scale.find_first_not_of("+-.0123456789eE") != std::string_view::npos) {
         return failed("the PFM file's header is malformed");
     }
-    if (std::string error = size_error(width, height); !error.empty()) return failed(error);
+    if (std::string error = image::size_problem(width, height, max_pixels); !error.empty()) {
+        return failed(std::move(error));
+    }
     const std::size_t channels = kind == "PF" ? 3 : 1;
     if (rest.size() / (4 * channels) < width * height) {
         return failed("the PFM file breaks off before its last pixel");

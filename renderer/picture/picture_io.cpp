@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
+#include "ir/image/decoder.hpp"
+#include "ir/math/srgb.hpp"
 #include "renderer/picture/codecs.hpp"
+#include "renderer/picture/comment.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -37,105 +39,55 @@ bool ends_with_ignoring_case(std::string_view path, std::string_view ending) {
     return true;
 }
 
-/// x^(1/5) for x in [0.01, 1] by Newton's method from 1, which approaches from above and has
-/// settled to the last bits after 20 steps.
-constexpr double fifth_root(double x) {
-    double root = 1;
-    for (int i = 0; i < 20; ++i) {
-        const double square = root * root;
-        root -= (root * square * square - x) / (5 * square * square);
-    }
-    return root;
-}
-
-/// IEC 61966-2-1: display value to light. y^2.4 = y^2 (y^2)^(1/5).
-constexpr double linear_of_srgb(double display) {
-    if (display <= 0.04045) return display / 12.92;
-    const double y = (display + 0.055) / 1.055;
-    return y * y * fifth_root(y * y);
-}
-
 /// Entry k - 1: the light at which a display byte, rounded, steps from k - 1 to k.
-constexpr std::array<double, 255> kSrgbSteps = [] {
+std::array<double, 255> srgb_steps() {
     std::array<double, 255> steps{};
     for (std::size_t k = 1; k <= 255; ++k) {
-        steps[k - 1] = linear_of_srgb((static_cast<double>(k) - 0.5) / 255);
+        steps[k - 1] = math::srgb_to_linear((static_cast<double>(k) - 0.5) / 255);
     }
     return steps;
-}();
-
-std::uint8_t srgb_byte_of(double light) {
-    const auto* step = std::upper_bound(kSrgbSteps.begin(), kSrgbSteps.end(), light);
-    return static_cast<std::uint8_t>(step - kSrgbSteps.begin());
 }
 
 /// NaN fails the first comparison and becomes 0; a float is turned into an integer only once it is
 /// known to fit.
-std::uint8_t byte_of(float value, const EncodeOptions& options) {
-    if (!(value > 0)) return 0;
-    if (value >= 1) return 255;
-    if (options.quantise == Quantise::kTruncate) {
-        // The published programs multiply floats.
-        return static_cast<std::uint8_t>(value * 255.0F);
+class Quantiser {
+  public:
+    explicit Quantiser(const EncodeOptions& options)
+        : quantise_(options.quantise), srgb_(options.encode_srgb) {
+        if (srgb_) steps_ = srgb_steps();
     }
-    if (options.encode_srgb) return srgb_byte_of(static_cast<double>(value));
-    return static_cast<std::uint8_t>(255.0 * static_cast<double>(value) + 0.5);
-}
+    [[nodiscard]] std::uint8_t byte_of(float value) const {
+        if (!(value > 0)) return 0;
+        if (value >= 1) return 255;
+        if (quantise_ == Quantise::kTruncate) {
+            // The published programs multiply floats.
+            return static_cast<std::uint8_t>(value * 255.0F);
+        }
+        if (srgb_) {
+            const auto* step = std::upper_bound(steps_.begin(), steps_.end(), double{value});
+            return static_cast<std::uint8_t>(step - steps_.begin());
+        }
+        return static_cast<std::uint8_t>(255.0 * static_cast<double>(value) + 0.5);
+    }
+
+  private:
+    Quantise quantise_;
+    bool srgb_;
+    std::array<double, 255> steps_{};
+};
 
 ByteImage quantised(const Plane32& plane, const EncodeOptions& options) {
+    const Quantiser quantiser(options);
     ByteImage image{plane.width, plane.height, plane.channels, {}};
     image.bytes.reserve(plane.values.size());
     for (const float value : plane.values) {
-        image.bytes.push_back(static_cast<char>(byte_of(value, options)));
+        image.bytes.push_back(static_cast<char>(quantiser.byte_of(value)));
     }
     return image;
 }
 
-}  // namespace
-
-std::optional<PictureFormat> picture_format(std::string_view path) {
-    for (const Ending& ending : kEndings) {
-        if (ends_with_ignoring_case(path, ending.text)) return ending.format;
-    }
-    return std::nullopt;
-}
-
-std::string size_error(std::uint64_t width, std::uint64_t height) {
-    if (width == 0 || height == 0) return "the picture has no pixels";
-    if (width > kMaxPixels || height > kMaxPixels || width * height > kMaxPixels) {
-        return fmt::format("the picture has {} x {} pixels, more than the {} that are read", width,
-                           height, kMaxPixels);
-    }
-    return {};
-}
-
-Plane32 make_plane(std::uint32_t width, std::uint32_t height) {
-    Plane32 plane{width, height, 3, {}};
-    plane.values.resize(std::size_t{width} * height * 3);
-    return plane;
-}
-
-std::string problem_of_size(std::uint64_t width, std::uint64_t height, std::uint32_t channels) {
-    // The libraries count bytes in 32 bits with a sign; no number of a picture takes more than 4.
-    constexpr std::uint64_t kMaxValues = std::numeric_limits<std::int32_t>::max() / 4;
-    if (width <= kMaxSide && height <= kMaxSide && width * height * channels <= kMaxValues) {
-        return {};
-    }
-    return fmt::format("a picture of {} x {} pixels is too large for a file", width, height);
-}
-
-Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& options) {
-    if (plane.channels != 1 && plane.channels != 3) {
-        return {{}, fmt::format("a picture has 1 or 3 channels, not {}", plane.channels)};
-    }
-    if (plane.width == 0 || plane.height == 0 ||
-        plane.values.size() != std::size_t{plane.width} * plane.height * plane.channels) {
-        return {{}, "the picture has no pixels"};
-    }
-    if (std::string problem = problem_of_size(plane.width, plane.height, plane.channels);
-        !problem.empty()) {
-        return {{}, std::move(problem)};
-    }
+/// A plane whose values match its size, and whose size is that of a file.
+Encoded encode_checked(const Plane32& plane, PictureFormat format, const EncodeOptions& options) {
     switch (format) {
         case PictureFormat::kPng:
             return encode_png(quantised(plane, options));
@@ -153,15 +105,68 @@ Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& 
     return {{}, "unknown picture format"};
 }
 
-Decoded decode(std::string_view bytes) {
-    if (bytes.empty()) return {{}, false, false, "the file is empty"};
-    if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return decode_pfm(bytes);
-    if (bytes.starts_with("#?")) return decode_hdr(bytes);
-    if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes);
-    if (std::string error = truncation_of(bytes); !error.empty()) {
-        return {{}, false, false, std::move(error)};
+template <typename T>
+void append_scaled(Plane32& plane, const std::vector<T>& from, float largest) {
+    plane.values.reserve(from.size());
+    for (const T value : from) plane.values.push_back(static_cast<float>(value) / largest);
+}
+
+}  // namespace
+
+std::optional<PictureFormat> picture_format(std::string_view path) {
+    for (const Ending& ending : kEndings) {
+        if (ends_with_ignoring_case(path, ending.text)) return ending.format;
     }
-    return decode_bitmap(bytes);
+    return std::nullopt;
+}
+
+Plane32 make_plane(std::uint32_t width, std::uint32_t height) {
+    Plane32 plane{width, height, 3, {}};
+    plane.values.resize(std::size_t{width} * height * 3);
+    return plane;
+}
+
+std::string problem_of_size(std::uint64_t width, std::uint64_t height) {
+    if (width <= kMaxSide && height <= kMaxSide && width * height <= kMaxPixels) return {};
+    return fmt::format("a picture of {} x {} pixels is too large for a file", width, height);
+}
+
+Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& options) {
+    if (plane.channels != 1 && plane.channels != 3) {
+        return {{}, fmt::format("a picture has 1 or 3 channels, not {}", plane.channels)};
+    }
+    if (plane.width == 0 || plane.height == 0 ||
+        plane.values.size() != std::size_t{plane.width} * plane.height * plane.channels) {
+        return {{}, "the picture has no pixels"};
+    }
+    if (std::string problem = problem_of_size(plane.width, plane.height); !problem.empty()) {
+        return {{}, std::move(problem)};
+    }
+    Encoded encoded = encode_checked(plane, format, options);
+    if (encoded.error.empty() && !options.comment.empty()) {
+        add_comment(encoded.bytes, format, options.comment);
+    }
+    return encoded;
+}
+
+Decoded decode(std::string_view bytes, std::uint64_t max_pixels) {
+    if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return decode_pfm(bytes, max_pixels);
+    if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, max_pixels);
+    image::Decoded image = image::decode(bytes, {max_pixels, true});
+    Decoded result;
+    if (image.status == image::Status::kUnknown) {
+        result.error = "it is no PNG, BMP, TGA, JPEG, PFM, HDR or EXR picture";
+    }
+    if (image.status != image::Status::kOk) {
+        if (result.error.empty()) result.error = std::move(image.reason);
+        return result;
+    }
+    result.eight_bit = !image.bytes.empty();
+    result.display = image.floats.empty();
+    result.plane = {image.width, image.height, 3, std::move(image.floats)};
+    if (!image.bytes.empty()) append_scaled(result.plane, image.bytes, 255.0F);
+    if (!image.words.empty()) append_scaled(result.plane, image.words, 65535.0F);
+    return result;
 }
 
 }  // namespace cobble::renderer

@@ -24,11 +24,17 @@ enum class Quantise : unsigned char {
 struct EncodeOptions {
     Quantise quantise = Quantise::kRound;
     bool encode_srgb = false;  ///< 8-bit formats only, with kRound
+    std::string comment{};     ///< put into the file by add_comment() unless it is empty
 };
+
+/// The largest picture that is written or read: the library behind PNG counts bytes in 32 bits with
+/// a sign, and a pixel takes up to three floats. One limit for all formats, so that what a render
+/// wrote can always be compared, merged and converted.
+inline constexpr std::uint64_t kMaxPixels = 0x7fffffffU / 12;
 
 /// What speaks against writing a picture of this size in any format, or "": known before there is
 /// one.
-std::string problem_of_size(std::uint64_t width, std::uint64_t height, std::uint32_t channels);
+std::string problem_of_size(std::uint64_t width, std::uint64_t height);
 
 struct Encoded {
     std::string bytes;
@@ -48,8 +54,8 @@ struct Decoded {
 };
 
 /// Reads PNG, BMP, TGA, JPEG, PFM, HDR or EXR by content; grey becomes three equal channels, alpha
-/// is dropped. At most 2^26 pixels. OpenEXR: one part of scan lines, uncompressed, run-length or
-/// ZIP. Bytes that are none of these, or that break off, are errors, whatever they claim.
-Decoded decode(std::string_view bytes);
+/// is dropped. OpenEXR: one part of scan lines, uncompressed, run-length or ZIP. Bytes that are
+/// none of these, that break off or whose checksums are wrong are errors, whatever they claim.
+Decoded decode(std::string_view bytes, std::uint64_t max_pixels = kMaxPixels);
 
 }  // namespace cobble::renderer

@@ -33,23 +33,13 @@ double largest(Vec3d a) {
     return x > y ? (x > z ? x : z) : (y > z ? y : z);
 }
 
-Affined between(const Affined& a, const Affined& b, double f) {
-    Affined result;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) {
-            result.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], f);
-        }
-    }
-    return result;
-}
-
 /// Adds the image of `shape` under the inverse of a + f (b - a) for all f within `reach` of `at`.
 /// Exact relation, with A(f) the linear part, D its change and d that of the offset, x(f) the image
 /// of a corner, e = A(at)^-1 D:  x(f) - x(at) = -s (I + s e)^-1 A(at)^-1 (D x(at) + d), s = f - at,
 /// so that |x(f) - x(at)| <= |s| |A^-1 (D x + d)| / (1 - |s| |e|).
 bool add_interval(const BoxBounds<double>& shape, const Affined& a, const Affined& b, double at,
                   double reach, BoxBounds<double>& box) {
-    const std::optional<Affined> back = math::inverse(between(a, b, at));
+    const std::optional<Affined> back = math::inverse(lerp(a, b, at));
     if (!back) return false;
     Affined change;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -46,13 +46,7 @@ math::Affine<T> world_to_object_at(const Geometry<T>& geometry, const Instance<T
     const auto& a = geometry.instance_keys[instance.first_key + at.index].world_to_object;
     if (at.fraction == 0) return a;
     const auto& b = geometry.instance_keys[instance.first_key + at.index + 1].world_to_object;
-    math::Affine<T> result;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) {
-            result.rows[i][j] = math::lerp(a.rows[i][j], b.rows[i][j], at.fraction);
-        }
-    }
-    return result;
+    return lerp(a, b, at.fraction);
 }
 
 }  // namespace cobble::renderer

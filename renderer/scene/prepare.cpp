@@ -378,6 +378,7 @@ class Preparation {
             placed.wide = wide_tree(items, triangles, {});
         } else {
             placed.tree = build_tree(items, options().cancelled);
+            if (cancelled()) items.clear();
             placed.triangles.reserve(items.size());
             for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
         }
@@ -456,6 +457,7 @@ class Preparation {
         } else {
             build_reference();
         }
+        if (cancelled()) return;
         const auto place = [&g](const auto& array, bool instance) {
             for (std::uint32_t i = 0; i < array.size(); ++i) {
                 g.places[array[i].object.value] = {instance, i};
@@ -469,6 +471,7 @@ class Preparation {
     void build_reference() {
         Geometry<T>& g = geometry();
         g.tree = build_tree(items_, options().cancelled);
+        if (cancelled()) return;
         sort_kind(PrimitiveKind::kTriangle, g.triangles);
         sort_kind(PrimitiveKind::kSphere, g.spheres);
         sort_kind(PrimitiveKind::kBox, g.boxes);

@@ -15,11 +15,6 @@ namespace {
 using math::DoubleDouble;
 using math::Vec3d;
 
-bool finite(Vec3d p) {
-    constexpr double kMost = std::numeric_limits<double>::max();
-    return std::fabs(p.x) <= kMost && std::fabs(p.y) <= kMost && std::fabs(p.z) <= kMost;
-}
-
 void add_finite(BoxBounds<double>& box, Vec3d p) {
     if (finite(p)) box.add(p);
 }

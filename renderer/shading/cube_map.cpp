@@ -136,15 +136,6 @@ CubePoint cube_point(math::Vec3d direction) {
             place(frame.v_axis, frame.v_sign)};
 }
 
-math::Vec3d cube_direction(const CubePoint& point) {
-    const FaceFrame& frame = kFrames[point.face];
-    math::Vec3d result;
-    result[frame.axis] = frame.side;
-    result[frame.u_axis] = frame.u_sign * (2 * point.u - 1);
-    result[frame.v_axis] = frame.v_sign * (2 * point.v - 1);
-    return result;
-}
-
 ir::Color sample_cube_map(const ir::Scene& scene, const ir::CubeMap& map, ir::TextureFilter filter,
                           math::Vec3d direction) {
     if (!complete(scene, map)) return kErrorColor;

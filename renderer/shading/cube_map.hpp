@@ -25,9 +25,6 @@ struct CubePoint {
 /// gives the middle of the front.
 CubePoint cube_point(math::Vec3d direction);
 
-/// The way from the middle of the cube [-1, 1]^3 to a place on it: the inverse of cube_point().
-math::Vec3d cube_direction(const CubePoint& point);
-
 /// Bilinear between texel centres, across edges too: a texel beyond an edge is the one next to it
 /// on the neighbouring face, and the one missing beyond a corner is the mean of the three that
 /// meet there. So the colour is continuous over the whole sphere. Faces are square, equal in size

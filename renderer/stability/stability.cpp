@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "ir/math/elementary.hpp"
@@ -34,7 +35,6 @@ constexpr double kSameSurface = 0.99;
 constexpr std::uint32_t kRing = 16;
 
 double sum_of(Vec3d a) { return (std::fabs(a.x) + std::fabs(a.y)) + std::fabs(a.z); }
-bool finite(Vec3d a) { return sum_of(a) <= std::numeric_limits<double>::max(); }
 
 /// The way from x to the next float that is larger in size.
 double ulp_at(double x) {
@@ -111,9 +111,18 @@ class Measurement {
         }
     }
 
+    Hit<float> cast(const Ray<float>& ray, const Exclude& exclude) {
+        if (options_.cast) return options_.cast(narrow_, ray, exclude);
+        return closest_hit(narrow_, ray, exclude, counters_);
+    }
+
     template <typename T>
     void look(const PreparedScene<T>& scene, Seen<T>& seen) {
-        seen.hit = closest_hit(scene, seen.ray, {}, counters_);
+        if constexpr (std::is_same_v<T, float>) {
+            seen.hit = cast(seen.ray, {});
+        } else {
+            seen.hit = closest_hit(scene, seen.ray, {}, counters_);
+        }
         if (seen.hit) seen.point = surface_at(scene, seen.ray, seen.hit);
     }
 
@@ -218,7 +227,7 @@ class Measurement {
             if (dot(direction, side) < 0) direction = -direction;
             const Departure<float> next =
                 leave(narrow.point, normalize(direction).to<float>(), narrow.ray.time);
-            const Hit<float> again = closest_hit(narrow_, next.ray, next.exclude, counters_);
+            const Hit<float> again = cast(next.ray, next.exclude);
             if (!again) continue;
             const Vec3d moved = next.ray.direction.to<double>() * double{again.t} +
                                 (next.ray.origin - narrow.point.position).to<double>();

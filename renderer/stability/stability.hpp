@@ -16,19 +16,26 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
 #include "ir/math/vec.hpp"
 #include "ir/scene/scene.hpp"
+#include "renderer/geometry/hit.hpp"
+#include "renderer/geometry/ray.hpp"
 #include "renderer/scene/preparation_note.hpp"
+#include "renderer/scene/prepared_scene.hpp"
 
 namespace cobble::renderer {
 
 struct StabilityOptions {
     std::uint64_t rays = 200000;  ///< in all, spread evenly over the objects; see kLargestShare
     std::uint32_t height = 480;   ///< of the picture whose pixels are measured
+    /// What answers the rays in float, if not closest_hit(): another kernel to be measured.
+    std::function<Hit<float>(const PreparedScene<float>&, const Ray<float>&, const Exclude&)> cast =
+        {};
 };
 
 /// Of the rays, no object gets more than one in this many: one alone would learn nothing more.

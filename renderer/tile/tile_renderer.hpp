@@ -67,8 +67,9 @@ class TileRenderer {
 
     /// Goes on with `work` until it is done or `stop` says so: then it returns within about 10 ms,
     /// having left in `work` what it needs to go on without a trace of the interruption. Gives each
-    /// finished pixel to `film` once. Called by several workers at once, on different tiles; must
-    /// not throw. Rounding is to nearest and denormals are kept while it runs.
+    /// finished pixel to `film` once. Called by several workers at once, on different tiles.
+    /// Throws nothing but std::bad_alloc. Rounding is to nearest and denormals are kept while it
+    /// runs.
     virtual void render_tile(TileWork& work, Film& film, StopCheck& stop) const = 0;
 
     /// What preparing the scene's geometry cost it.

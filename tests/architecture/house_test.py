@@ -22,6 +22,7 @@ from concurrent.futures import ThreadPoolExecutor
 PROBES = {
     "source": "frontend/source/span.hpp",
     "math": "ir/math/vec.hpp",
+    "image": "ir/image/decoder.hpp",
     "grammar": "grammar/vocabulary.hpp",
     "frontend": "frontend/ast/ast.hpp",
     "ir_scene": "ir/scene/scene.hpp",
@@ -32,11 +33,12 @@ PROBES = {
 MAY_SEE = {
     "source": {"source"},
     "math": {"math"},
+    "image": {"image"},
     "grammar": {"grammar"},
     "frontend": {"source", "grammar", "frontend"},
     "ir_scene": {"source", "math", "ir_scene"},
-    "ir": {"source", "math", "grammar", "frontend", "ir_scene", "ir"},
-    "renderer": {"source", "math", "ir_scene", "renderer"},
+    "ir": {"source", "math", "image", "grammar", "frontend", "ir_scene", "ir"},
+    "renderer": {"source", "math", "image", "ir_scene", "renderer"},
     "driver": set(PROBES),
 }
 

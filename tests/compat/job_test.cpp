@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "renderer/picture/picture_io.hpp"
+#include "tests/compat/small_scene.hpp"
 #include "tests/compat/support.hpp"
 
 namespace cobble::test {
@@ -37,20 +38,10 @@ ir::Scene still_life(ir::Compat compat) {
     scene.materials[2].noise = {{0.9, 0.2, 0.1}, {0.1, 0.1, 0.2}, 4, 3, 2};
     scene.materials[2].specular = {0.2, 0.2, 0.2};
     constexpr std::array<double, 3> kX{-1.3, 0.1, 1.4};
-    for (std::uint32_t i = 0; i < 3; ++i) {
-        ir::Object object;
-        object.shape = i;
-        object.material = {i};
-        scene.objects.push_back(object);
-        scene.spheres.push_back({{{{kX[i], 1, 0}, 0.7}}});
-    }
+    for (std::uint32_t i = 0; i < 3; ++i) add_ball(scene, {kX[i], 1, 0}, 0.7, i);
     ir::Plane floor;
     floor.normal = {0, 1, 0};
-    scene.planes.push_back(floor);
-    ir::Object object;
-    object.kind = ir::ShapeKind::kPlane;
-    object.material = {0};
-    scene.objects.push_back(object);
+    add_plane(scene, floor, 0);
     return scene;
 }
 

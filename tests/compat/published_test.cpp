@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The published pictures, made again from the published scenes. Without the corpus these cases say
-// so and end.
+// The published pictures, made again from the published scenes.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -8,6 +7,8 @@
 #include "renderer/compat/pictures.hpp"
 #include "renderer/picture/picture_io.hpp"
 #include "tests/compat/support.hpp"
+#include "tests/support/corpus.hpp"
+#include "tests/support/disk.hpp"
 
 namespace cobble::test {
 namespace {
@@ -95,11 +96,8 @@ renderer::Plane32 shown(const renderer::Picture& picture, const Published& publi
 }
 
 void check_published(const Published& published, renderer::Settings settings) {
-    const std::filesystem::path root = corpus();
-    if (root.empty()) {
-        MESSAGE("no corpus: set COBBLE_CORPUS");
-        return;
-    }
+    const std::filesystem::path root = corpus_or_skip();
+    if (root.empty()) return;
     const std::string name = published.picture;
     CAPTURE(name);
     ir::LowerOptions options;
@@ -141,6 +139,8 @@ renderer::Settings sized(std::uint32_t size) {
     return settings;
 }
 
+TEST_SUITE_BEGIN("corpus");
+
 TEST_CASE("the handout's ray casting") {
     for (const Published& published : kHandoutCasting) check_published(published, sized(200));
 }
@@ -164,6 +164,8 @@ TEST_CASE("the project's ray tracing") {
     settings.bounces = 4;
     for (const Published& published : kProjectTracing) check_published(published, settings);
 }
+
+TEST_SUITE_END();
 
 }  // namespace
 }  // namespace cobble::test

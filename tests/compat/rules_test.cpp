@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "renderer/compat/camera.hpp"
 #include "renderer/compat/filter.hpp"
@@ -15,8 +16,10 @@ namespace cobble::renderer {
 namespace {
 
 using ir::Compat;
+using test::add_ball;
 using test::add_dot;
 using test::add_picture_frame;
+using test::add_plane;
 using test::add_wall;
 using test::middle;
 using test::plain_scene;
@@ -58,15 +61,21 @@ TEST_CASE("2016 takes `up` as written") {
     CHECK(before.direction(1, 0, 0, 0).y / -before.direction(1, 0, 0, 0).z == doctest::Approx(1));
 }
 
+/// A wall with a red highlight of 0.25, lit along `light`.
+ir::Scene shiny_wall(Compat compat, double shininess, math::Vec3d light, double facing = 1) {
+    ir::Scene scene = plain_scene(compat);
+    scene.materials[0].specular = {0.25, 0, 0};
+    scene.materials[0].shininess = shininess;
+    scene.lights[0].direction = light;
+    add_wall(scene, 0, 0, facing);
+    return scene;
+}
+
 TEST_CASE("highlights: dropped by the tracer of 2012 alone, everywhere without shininess") {
     const auto with = [](Compat compat, double shininess) {
-        ir::Scene scene = plain_scene(compat);
-        scene.materials[0].specular = {0.25, 0, 0};
-        scene.materials[0].shininess = shininess;
-        add_wall(scene, 0);
         Settings settings = sized(3, 3);
         settings.bounces = 0;
-        return red(scene, settings);
+        return red(shiny_wall(compat, shininess, {0, 0, -1}), settings);
     };
     CHECK(with(Compat::kA4, 20) == doctest::Approx(0.75));
     CHECK(with(Compat::kFa2016, 20) == doctest::Approx(0.75));
@@ -76,30 +85,27 @@ TEST_CASE("highlights: dropped by the tracer of 2012 alone, everywhere without s
 }
 
 TEST_CASE("highlights on the unlit side: the view ray reflected, or the project's clamped light") {
-    // The wall faces away from camera and light: N.L = -1, and the reflected view ray points at the
-    // light.
-    const auto with = [](Compat compat, math::Vec3d light) {
-        ir::Scene scene = plain_scene(compat);
-        scene.materials[0].specular = {0.25, 0, 0};
-        scene.materials[0].shininess = 1;
-        scene.lights[0].direction = light;
-        add_wall(scene, 0, 0, -1);
-        return red(scene, sized(3, 3));
+    const math::Vec3d forwards{0, 0, -1};
+    const math::Vec3d backwards{0, 0, 1};
+    const struct {
+        double facing;
+        Compat compat;
+        math::Vec3d light;
+        double red;
+    } cases[] = {
+        // The wall faces away from camera and light: N.L = -1, and the reflected view ray points at
+        // the light; but light from the camera's side is opposite to d, so max(0, L.d) is 0.
+        {-1, Compat::kA4, forwards, 0.25},
+        {-1, Compat::kProject, forwards, 0},
+        // Seen from in front, lit from behind: L.d = 1.
+        {1, Compat::kA4, backwards, 0},
+        {1, Compat::kProject, backwards, 0.25},
     };
-    CHECK(with(Compat::kA4, {0, 0, -1}) == doctest::Approx(0.25));
-    // max(0, L.d): light from the camera's side is opposite to d.
-    CHECK(with(Compat::kProject, {0, 0, -1}) == doctest::Approx(0));
-    // Seen from in front, lit from behind: L.d = 1.
-    const auto behind = [](Compat compat) {
-        ir::Scene scene = plain_scene(compat);
-        scene.materials[0].specular = {0.25, 0, 0};
-        scene.materials[0].shininess = 1;
-        scene.lights[0].direction = {0, 0, 1};
-        add_wall(scene, 0);
-        return red(scene, sized(3, 3));
-    };
-    CHECK(behind(Compat::kProject) == doctest::Approx(0.25));
-    CHECK(behind(Compat::kA4) == doctest::Approx(0));
+    for (const auto& c : cases) {
+        CAPTURE(c.facing);
+        CHECK(red(shiny_wall(c.compat, 1, c.light, c.facing), sized(3, 3)) ==
+              doctest::Approx(c.red));
+    }
 }
 
 TEST_CASE("falloff: none, one plus, proportional") {
@@ -208,17 +214,10 @@ TEST_CASE("glass: a slab lets 64/81 through head on, and shifts what is seen ask
     add_wall(scene, -1, 0, -1);
     scene.materials.push_back({});
     scene.materials[1].diffuse = {1, 0, 0};
-    const auto add_ball = [&scene](math::Vec3d center) {
-        ir::Object object;
-        object.shape = static_cast<std::uint32_t>(scene.spheres.size());
-        object.material = {1};
-        scene.objects.push_back(object);
-        scene.spheres.push_back({{{center, 0.05}}});
-    };
     // A ray of slope 1 meets the glass at x = 5; sin t = sin i / 2 = 0.35355, tan t = 0.37796; it
     // goes on with slope 1 from x = 5.37796 at z = -1.
-    add_ball({0, 0, -3});
-    add_ball({5 + 0.377964 + 2, 0, -3});
+    add_ball(scene, {0, 0, -3}, 0.05, 1);
+    add_ball(scene, {5 + 0.377964 + 2, 0, -3}, 0.05, 1);
     Settings settings = sized(5, 5);
     settings.bounces = 2;
     const Plane32 color = test::render(scene, settings, 1).color;
@@ -244,49 +243,39 @@ TEST_CASE("glass: beyond the critical angle all is mirrored") {
     ir::Plane slanted;
     slanted.normal = math::normalize(math::Vec3d{1, 0, -1});
     slanted.offset = math::dot(slanted.normal, {0, 0, -1});
-    ir::Object object;
-    object.kind = ir::ShapeKind::kPlane;
-    object.shape = 1;
-    object.material = {0};
-    scene.planes.push_back(slanted);
-    scene.objects.push_back(object);
+    add_plane(scene, slanted, 0);
     scene.materials.push_back({});
     scene.materials[1].diffuse = {1, 0, 0};
-    ir::Object ball;
-    ball.material = {1};
-    scene.objects.push_back(ball);
-    scene.spheres.push_back({{{{-2, 0, -1}, 0.1}}});
+    add_ball(scene, {-2, 0, -1}, 0.1, 1);
     Settings settings = sized(3, 3);
     settings.bounces = 2;
     CHECK(red(scene, settings) == doctest::Approx(8.0 / 9));
 }
 
+/// A bright red texture, on a mesh or on a plane.
+ir::Scene textured(Compat compat, bool mesh = true) {
+    ir::Scene scene = plain_scene(compat);
+    scene.materials[0].texture = add_dot(scene, 255, 0, 0);
+    mesh ? add_picture_frame(scene) : add_wall(scene, 0);
+    return scene;
+}
+
 TEST_CASE("only meshes have texture coordinates, and 2016 has no textures") {
-    const auto with = [](Compat compat, bool mesh) {
-        ir::Scene scene = plain_scene(compat);
-        scene.materials[0].texture = add_dot(scene, 255, 0, 0);
-        mesh ? add_picture_frame(scene) : add_wall(scene, 0);
-        return red(scene, sized(3, 3));
-    };
     for (const Compat compat : {Compat::kA4, Compat::kA5, Compat::kProject}) {
-        CHECK(with(compat, true) == doctest::Approx(1));
-        CHECK(with(compat, false) == doctest::Approx(0.5));
+        CHECK(red(textured(compat, true), sized(3, 3)) == doctest::Approx(1));
+        CHECK(red(textured(compat, false), sized(3, 3)) == doctest::Approx(0.5));
     }
-    CHECK(with(Compat::kFa2016, true) == doctest::Approx(0.5));
+    CHECK(red(textured(Compat::kFa2016), sized(3, 3)) == doctest::Approx(0.5));
 }
 
 TEST_CASE("ambient light shows the texture in the handout's ray casting alone") {
-    const auto with = [](Compat compat) {
-        ir::Scene scene = plain_scene(compat);
-        scene.materials[0].texture = add_dot(scene, 255, 0, 0);
+    for (const auto& [compat, expected] :
+         {std::pair{Compat::kA4, 0.5}, {Compat::kA5, 0.25}, {Compat::kProject, 0.25}}) {
+        ir::Scene scene = textured(compat);
         scene.lights.clear();
         scene.background.ambient = {0.5, 0.5, 0.5};
-        add_picture_frame(scene);
-        return red(scene, sized(3, 3));
-    };
-    CHECK(with(Compat::kA4) == doctest::Approx(0.5));
-    CHECK(with(Compat::kA5) == doctest::Approx(0.25));
-    CHECK(with(Compat::kProject) == doctest::Approx(0.25));
+        CHECK(red(scene, sized(3, 3)) == doctest::Approx(expected));
+    }
 }
 
 TEST_CASE("the project's normal maps: red and green count downwards, and others ignore them") {
@@ -330,17 +319,13 @@ TEST_CASE("the project's environment-mapped material: half and half, once for ea
 }
 
 TEST_CASE("noise stands before the texture, and the caster of 2012 has none") {
-    const auto with = [](Compat compat) {
-        ir::Scene scene = plain_scene(compat);
-        scene.materials[0].texture = add_dot(scene, 255, 0, 0);
+    for (const auto& [compat, expected] :
+         {std::pair{Compat::kA4, 1.0}, {Compat::kA5, 0.2}, {Compat::kProject, 0.2}}) {
+        ir::Scene scene = textured(compat);
         scene.materials[0].has_noise = true;
         scene.materials[0].noise = {{0.2, 0, 0}, {0.2, 0, 0}, 1, 1, 1};
-        add_picture_frame(scene);
-        return red(scene, sized(3, 3));
-    };
-    CHECK(with(Compat::kA4) == doctest::Approx(1));
-    CHECK(with(Compat::kA5) == doctest::Approx(0.2));
-    CHECK(with(Compat::kProject) == doctest::Approx(0.2));
+        CHECK(red(scene, sized(3, 3)) == doctest::Approx(expected));
+    }
 }
 
 TEST_CASE("textures: no half texel, no repeat, truncated when nearest") {

@@ -5,6 +5,17 @@
 #include "tests/compat/support.hpp"
 
 namespace cobble::test {
+namespace {
+
+void add_object(ir::Scene& scene, ir::ShapeKind kind, std::size_t shape, std::uint32_t material) {
+    ir::Object object;
+    object.kind = kind;
+    object.shape = static_cast<std::uint32_t>(shape);
+    object.material = {material};
+    scene.objects.push_back(object);
+}
+
+}  // namespace
 
 ir::Scene plain_scene(ir::Compat compat) {
     ir::Scene scene;
@@ -31,12 +42,17 @@ void add_wall(ir::Scene& scene, double z, std::uint32_t material, double facing)
     ir::Plane plane;
     plane.normal = {0, 0, facing};
     plane.offset = z * facing;
-    ir::Object object;
-    object.kind = ir::ShapeKind::kPlane;
-    object.shape = static_cast<std::uint32_t>(scene.planes.size());
-    object.material = {material};
+    add_plane(scene, plane, material);
+}
+
+void add_plane(ir::Scene& scene, const ir::Plane& plane, std::uint32_t material) {
+    add_object(scene, ir::ShapeKind::kPlane, scene.planes.size(), material);
     scene.planes.push_back(plane);
-    scene.objects.push_back(object);
+}
+
+void add_ball(ir::Scene& scene, math::Vec3d center, double radius, std::uint32_t material) {
+    add_object(scene, ir::ShapeKind::kSphere, scene.spheres.size(), material);
+    scene.spheres.push_back({{{center, radius}}});
 }
 
 renderer::Settings sized(std::uint32_t width, std::uint32_t height) {
@@ -66,12 +82,8 @@ void add_picture_frame(ir::Scene& scene, std::uint32_t material) {
     mesh.faces = {{{{{0, kFlat, 0}, {1, kFlat, 1}, {2, kFlat, 2}}}},
                   {{{{0, kFlat, 0}, {2, kFlat, 2}, {3, kFlat, 3}}}}};
     mesh.face_offsets = {0, 0};
-    ir::Object object;
-    object.kind = ir::ShapeKind::kMesh;
-    object.shape = static_cast<std::uint32_t>(scene.meshes.size());
-    object.material = {material};
+    add_object(scene, ir::ShapeKind::kMesh, scene.meshes.size(), material);
     scene.meshes.push_back(mesh);
-    scene.objects.push_back(object);
 }
 
 ir::ImageId add_dot(ir::Scene& scene, std::uint8_t r, std::uint8_t g, std::uint8_t b) {

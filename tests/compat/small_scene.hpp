@@ -14,6 +14,9 @@ ir::Scene plain_scene(ir::Compat compat);
 /// The plane z = `z`; `facing` 1 looks at the camera, -1 away from it.
 void add_wall(ir::Scene& scene, double z, std::uint32_t material = 0, double facing = 1);
 
+void add_plane(ir::Scene& scene, const ir::Plane& plane, std::uint32_t material);
+void add_ball(ir::Scene& scene, math::Vec3d center, double radius, std::uint32_t material);
+
 /// A mesh of two triangles, 2 by 2, at z = 0 around the z axis, u to the right and v upwards.
 void add_picture_frame(ir::Scene& scene, std::uint32_t material = 0);
 

@@ -5,29 +5,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 
 #include "renderer/picture/picture_io.hpp"
+#include "tests/support/disk.hpp"
 
 namespace cobble::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-class Disk : public source::FileSource {
-  public:
-    source::ReadResult read(std::string_view path, std::uint64_t max_bytes) override {
-        const fs::path file(path);
-        std::error_code error;
-        if (!fs::is_regular_file(file, error)) return {source::ReadStatus::kMissing, {}, {}};
-        if (fs::file_size(file, error) > max_bytes) return {source::ReadStatus::kTooLarge, {}, {}};
-        return {source::ReadStatus::kOk, file_text(file), {}};
-    }
-    bool exists(std::string_view path) override {
-        std::error_code error;
-        return fs::is_regular_file(fs::path(path), error);
-    }
-};
 
 /// As it is written to files and read again: bytes over 255, three channels.
 renderer::Plane32 truncated(const renderer::Plane32& plane) {
@@ -39,19 +24,6 @@ renderer::Plane32 truncated(const renderer::Plane32& plane) {
 int level(float value) { return static_cast<int>(value * 255.0F + 0.5F); }
 
 }  // namespace
-
-fs::path corpus() {
-    const char* given = std::getenv("COBBLE_CORPUS");
-    const fs::path path =
-        given != nullptr ? fs::path(given) : fs::path(COBBLE_ROOT) / "../shared/corpus";
-    std::error_code error;
-    return fs::is_directory(path / "images", error) ? path : fs::path{};
-}
-
-std::string file_text(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 LoadedScene load_scene(const fs::path& path, const ir::LowerOptions& options) {
     LoadedScene result;

@@ -13,11 +13,6 @@
 
 namespace cobble::test {
 
-/// $COBBLE_CORPUS or ../shared/corpus beside the project; empty if neither is there.
-std::filesystem::path corpus();
-
-std::string file_text(const std::filesystem::path& path);
-
 /// A scene and what it refers to.
 struct LoadedScene {
     std::unique_ptr<source::SourceMap> sources = std::make_unique<source::SourceMap>();

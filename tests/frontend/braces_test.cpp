@@ -9,6 +9,7 @@
 #include "frontend/check/check.hpp"
 #include "frontend/source/line_index.hpp"
 #include "tests/frontend/case_text.hpp"
+#include "tests/support/corpus.hpp"
 
 using namespace cobble;
 
@@ -20,7 +21,7 @@ constexpr source::SourceId kSource{0};
 std::vector<std::string> good_files() {
     std::vector<std::string> files = test::files_in(COBBLE_ROOT "/scenes", ".scene");
     files.push_back(COBBLE_ROOT "/tests/frontend/cases/valid_everything.scene");
-    const std::string corpus = test::corpus_folder();
+    const std::string corpus = test::corpus().string();
     if (!corpus.empty()) {
         for (const std::string& path : test::files_in(corpus, ".txt")) {
             if (path.find("/scene") != std::string::npos) files.push_back(path);

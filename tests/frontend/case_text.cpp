@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -93,12 +92,6 @@ std::vector<std::string> files_in(const std::string& folder, std::string_view en
     }
     std::sort(files.begin(), files.end());
     return files;
-}
-
-std::string corpus_folder() {
-    const char* named = std::getenv("COBBLE_CORPUS");
-    const std::string folder = named != nullptr ? named : COBBLE_ROOT "/../shared/corpus";
-    return std::filesystem::is_directory(folder) ? folder : std::string();
 }
 
 }  // namespace cobble::test

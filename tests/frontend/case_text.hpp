@@ -20,8 +20,4 @@ std::string read_file(const std::string& path);
 /// The files in `folder` with this ending, sorted; folders below it too.
 std::vector<std::string> files_in(const std::string& folder, std::string_view ending);
 
-/// The folder of published scenes, or "" if this machine has none: COBBLE_CORPUS, or
-/// shared/corpus beside the project.
-std::string corpus_folder();
-
 }  // namespace cobble::test

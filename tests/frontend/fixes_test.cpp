@@ -11,6 +11,7 @@
 #include "frontend/check/check.hpp"
 #include "frontend/check/verify_fixes.hpp"
 #include "tests/frontend/case_text.hpp"
+#include "tests/support/corpus.hpp"
 
 using namespace cobble;
 
@@ -28,7 +29,7 @@ std::vector<std::string> seeds() {
         }
     };
     add(COBBLE_ROOT "/tests/frontend/cases", ".scene");
-    add(test::corpus_folder(), ".txt");
+    add(test::corpus().string(), ".txt");
     return texts;
 }
 

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "tests/support/corpus.hpp"
 
 namespace cobble::frontend::testing {
 namespace {
@@ -152,8 +153,7 @@ std::vector<std::string> scene_texts() {
     std::vector<fs::path> paths;
     add_texts(root / "scenes", paths);
     add_texts(root / "tests/frontend", paths);
-    const char* corpus = std::getenv("COBBLE_CORPUS");
-    add_texts(corpus != nullptr ? fs::path(corpus) : root / "../shared/corpus", paths);
+    add_texts(test::corpus(), paths);
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> texts;
     for (const fs::path& path : paths) {

@@ -34,8 +34,8 @@ class Random {
 /// One change at a random place; `other` is a text to take a piece from.
 void mutate(std::string& text, std::string_view other, Random& random);
 
-/// All scene texts to hand: this project's own, and the published ones where the environment
-/// (COBBLE_CORPUS) or the folder ../shared/corpus has them. In order of their paths.
+/// All scene texts to hand: this project's own, and the published ones where they are. In order of
+/// their paths.
 std::vector<std::string> scene_texts();
 
 }  // namespace cobble::frontend::testing

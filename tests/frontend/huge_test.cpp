@@ -8,6 +8,7 @@
 
 #include "frontend/ast/ast.hpp"
 #include "frontend/check/check.hpp"
+#include "frontend/format/format.hpp"
 #include "frontend/parse/cst.hpp"
 #include "tests/frontend/tree_invariants.hpp"
 
@@ -42,6 +43,18 @@ TEST_CASE("a million nested blocks") {
     CHECK(bound.ast.roots.size() == 1);
 }
 
+TEST_CASE("a million nested blocks are checked and formatted") {
+    const std::string text = repeated("Group { ", kMillion) + repeated("} ", kMillion);
+    const CheckedScene scene = check(kSource, text);
+    REQUIRE(!scene.diagnostics.empty());
+    CHECK(scene.diagnostics[0].code->code == "missing-section");
+    const FormatResult formatted = format(text);
+    CHECK(!formatted.refused);
+    // A line for each brace, indented by no more than 20 levels of four: deeper ones would make a
+    // text of a million million bytes.
+    CHECK(formatted.text.size() < 2 * kMillion * (20 * 4 + sizeof("Group {\n")));
+}
+
 TEST_CASE("a million nested blocks that are wrong in every way") {
     const std::string groups = repeated("Group { Transform {\n", kMillion / 2);
     const struct {
@@ -53,7 +66,8 @@ TEST_CASE("a million nested blocks that are wrong in every way") {
         {repeated("} ", kMillion), "extra-brace"},
         {repeated("Unknown { } ", kMillion), "unknown-name"},
         {repeated("Unknown { ", kMillion), "missing-brace"},
-        {repeated("Sphere ", kMillion), "missing-brace"},
+        {repeated("Sphere ", kMillion), "misplaced-block"},
+        {repeated("Group ", kMillion), "missing-brace"},
         {repeated("Lights { PointLight { ", kMillion), "missing-brace"},
         {repeated("Materials {\n PhongMaterial {\n  Noise {\n }\n", kMillion / 4), "missing-brace"},
         // Each close lays one more Transform open to a name that may not stand in it, with all that

@@ -126,6 +126,12 @@ TEST_CASE("a block indented as a member is misplaced, one beside its neighbour e
 TEST_CASE("what was meant as one thing is one error") {
     CHECK(codes_of("Group { Transform { Rotate 0 1 0 90 Sphere { } } }") == "missing-brace@26 ");
     CHECK(codes_of("Group { Transform {\n    Rotate 0 1 0 90\n} }") == "missing-brace@30 ");
+    // Where the braces of the file add up, the } after the numbers is not theirs ...
+    CHECK(codes_of("Group { Transform { Sphere { } Rotate 0 1 0 90 } }") == "missing-brace@37 ");
+    CHECK(codes_of("Group { Transform {\n Sphere { }\n Rotate 0 1 0 90\n } }") ==
+          "missing-brace@39 ");
+    // ... and where one is too many, it is.
+    CHECK(codes_of("Group { Transform { Sphere { } Rotate 0 1 0 90 } } }") == "missing-brace@37 ");
     CHECK(codes_of("Group { Transform { Scale { 1 1 1 } Sphere { } } }") ==
           "unexpected-braces@20 ");
     CHECK(codes_of("Group { { center 0 0 0 radius 1 } }") == "nameless-block@8 ");
@@ -136,6 +142,6 @@ TEST_CASE("what was meant as one thing is one error") {
     CHECK(codes_of("Group { center { 0 0 0 } }") == "unknown-name@8 ");
     // A name without braces has no } that could be one too many, whatever its last value is.
     CHECK(codes_of("Lights {\n  Sphere 1 2\n      3\n}\n}\n}") ==
-          "misplaced-block@11 missing-brace@17 extra-brace@32 extra-brace@34 ");
+          "misplaced-block@11 extra-brace@32 extra-brace@34 ");
     CHECK(codes_of("# a remark in words\nGroup { }") == "unknown-name@0 ");
 }

@@ -49,25 +49,21 @@ TEST_CASE("tokens are dumped with their places, comments among them") {
           "3:2 end\n");
 }
 
-TEST_CASE("blocks are found from their nodes and back") {
+TEST_CASE("blocks stand in the order of their nodes, and know them") {
     const std::string text =
         test::read_file(COBBLE_ROOT "/tests/frontend/cases/valid_everything.scene");
     const Tokens tokens = lex(text);
     const Cst cst = parse(tokens);
     const Ast ast = bind(source::SourceId{7}, tokens, cst).ast;
     CHECK(ast.source == source::SourceId{7});
-    std::size_t found = 0;
-    for (std::uint32_t i = 0; i < cst.nodes.size(); ++i) {
-        const BlockNodeId block = ast.block_of(NodeId{i});
-        if (!block.valid()) continue;
-        ++found;
-        CHECK(ast.block(block).cst == NodeId{i});
-        CHECK(grammar::row(ast.block(block).row).name ==
-              tokens.text_of({cst.node(NodeId{i}).first_token}));
-        for (const BlockNodeId child : ast.children_of(block)) {
-            CHECK(ast.block(child).parent == block);
+    CHECK(!ast.blocks.empty());
+    for (std::uint32_t i = 0; i < ast.blocks.size(); ++i) {
+        const BlockNode& block = ast.blocks[i];
+        CHECK(grammar::row(block.row).name == tokens.text_of({cst.node(block.cst).first_token}));
+        if (i > 0) CHECK(ast.blocks[i - 1].cst < block.cst);
+        for (const BlockNodeId child : ast.children_of(BlockNodeId{i})) {
+            CHECK(ast.block(child).parent == BlockNodeId{i});
         }
     }
-    CHECK(found == ast.blocks.size());
     for (const BlockNodeId root : ast.roots) CHECK(!ast.block(root).parent.valid());
 }

@@ -11,6 +11,9 @@
 
 namespace {
 
+/// Longer inputs reach nothing that shorter ones do not, and take time.
+constexpr std::size_t kLargestInput = 4096;
+
 std::string without_white_space(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -24,6 +27,7 @@ std::string without_white_space(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace cobble;
     using fuzz::expect;
+    if (size > kLargestInput) return -1;
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const frontend::FormatResult result = frontend::format(text);
     expect(!result.refused, "the proof holds");

@@ -9,15 +9,18 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace cobble;
     using fuzz::expect;
-    const renderer::Decoded decoded = renderer::decode({reinterpret_cast<const char*>(data), size});
+    constexpr std::uint64_t kMaxPixels = 1 << 20;  // small, so that many inputs can be tried
+    const renderer::Decoded decoded =
+        renderer::decode({reinterpret_cast<const char*>(data), size}, kMaxPixels);
     if (!decoded.error.empty()) return 0;
     const std::uint64_t pixels =
         std::uint64_t{decoded.plane.width} * std::uint64_t{decoded.plane.height};
     expect(pixels > 0, "a picture has pixels");
     expect(decoded.plane.values.size() == pixels * decoded.plane.channels,
            "every pixel has its channels");
-    constexpr std::uint64_t kMaxPixels = 1 << 14;  // writing larger ones takes too long
-    if (pixels > kMaxPixels) return 0;
+    expect(pixels <= kMaxPixels, "the limit of pixels holds");
+    constexpr std::uint64_t kMaxWritten = 1 << 14;  // writing larger ones takes too long
+    if (pixels > kMaxWritten) return 0;
     for (const auto format : {renderer::PictureFormat::kPng, renderer::PictureFormat::kBmp,
                               renderer::PictureFormat::kTga, renderer::PictureFormat::kPfm,
                               renderer::PictureFormat::kHdr, renderer::PictureFormat::kExr}) {

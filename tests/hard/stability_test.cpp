@@ -6,6 +6,7 @@
 
 #include "renderer/stability/aim.hpp"
 #include "tests/hard/scenes.hpp"
+#include "tests/hard/wrong_kernels.hpp"
 
 namespace cobble::test {
 
@@ -53,7 +54,76 @@ const ObjectStability& entry_of(const Stability& stability, ir::ObjectId id) {
     return stability.objects.front();
 }
 
+/// A ball of triangles that the camera looks at, from a line of the scene's file.
+ir::Scene ball() {
+    SceneMaker make;
+    make.mesh(icosphere(1));
+    make.scene.camera.center = {0.3, 0.2, 4};
+    return make.scene;
+}
+
 }  // namespace
+
+TEST_CASE("stability: a kernel that leaks is found out by its cracks") {
+    const ir::Scene scene = ball();
+    auto options = rays(1000000);
+    const auto measure = [&](auto kernel) {
+        options.cast = [kernel](const auto& in, const auto& ray, const auto& exclude) {
+            return cast_by(in, ray, exclude, kernel);
+        };
+        return measure_stability(scene, options);
+    };
+    const Stability good = measure(sound);
+    CHECK(good.clean());
+    CHECK(good.objects[0].hits > 5000);
+    for (const Stability& bad : {measure(contracted_edges), measure(moller_trumbore)}) {
+        CHECK(!bad.clean());
+        const ObjectStability& entry = bad.objects[0];
+        CHECK(entry.cracks > 0);
+        CHECK(entry.changed == 0);
+        // An example is where float saw through: on the ball's side that is seen.
+        REQUIRE(entry.example);
+        CHECK(entry.example->fault == renderer::StabilityFault::kCrack);
+        CHECK(entry.example->position.z > -0.5);
+        CHECK(length(entry.example->position) > 0.9);
+        CHECK(entry.example->face < 80);
+    }
+}
+
+TEST_CASE("stability: a kernel that sees what is not there is found out") {
+    auto options = rays(100000);
+    options.cast = [](const auto& in, const auto& ray, const auto& exclude) {
+        auto hit = cast_by(in, ray, exclude, sound);
+        // A thousandth too near: far more than rounding.
+        hit.t *= 0.999F;
+        return hit;
+    };
+    const Stability bad = measure_stability(ball(), options);
+    CHECK(!bad.clean());
+    CHECK(bad.objects[0].changed > 500);
+    CHECK(bad.objects[0].cracks == 0);
+    REQUIRE(bad.objects[0].example);
+    CHECK(bad.objects[0].example->fault == renderer::StabilityFault::kChanged);
+}
+
+TEST_CASE("stability: a start that stays in its surface is found out by self-hits") {
+    auto options = rays(100000);
+    options.cast = [](const auto& in, const auto& ray, const auto& exclude) {
+        if (!exclude.object.valid()) return cast_by(in, ray, exclude, sound);
+        // The start is moved back to behind the surface that it left, and nothing is left out.
+        auto from = ray;
+        const float back = 2e-6F / length(ray.direction);
+        from.origin = ray.origin - ray.direction * back;
+        auto hit = cast_by(in, from, {}, sound);
+        hit.t = hit.t > back ? hit.t - back : std::numeric_limits<float>::min();
+        return hit;
+    };
+    const Stability bad = measure_stability(ball(), options);
+    CHECK(!bad.clean());
+    CHECK(bad.objects[0].self_hits > 500);
+    REQUIRE(bad.objects[0].example);
+    CHECK(bad.objects[0].example->fault == renderer::StabilityFault::kSelfHit);
+}
 
 TEST_CASE("stability: a scene within float's means has no fault and plenty of precision") {
     for (const double size : {1e-3, 1.0, 1e4}) {

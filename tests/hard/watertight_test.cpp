@@ -2,6 +2,10 @@
 // No ray slips between two triangles: rows 1, 2, 3, 12 and 22 of the hard cases.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "tests/hard/scenes.hpp"
@@ -47,6 +51,8 @@ int leaks(const Solid& unit_solid, double scale, Vec3d center, bool vertices, bo
         renderer::Ray<T> r;
         r.origin = scene.to_local(from);
         r.direction = scene.to_local(on_edge(solid, random, vertices)) - r.origin;
+        // The one primitive that the tie rule names, every so often.
+        if (i % 50 == 0 && !tree_agrees(scene, r)) ++missed;
         if (!closest_hit(scene, r, {}, counters)) ++missed;
     }
     return missed;
@@ -97,7 +103,7 @@ TEST_CASE("row 1: no ray through a vertex of a closed mesh is lost") {
     }
 }
 
-TEST_CASE("row 2: no ray through a point of an edge is lost") {
+TEST_CASE("row 2: no ray through a point of an edge is lost, and the tie rule names one face") {
     for (const Solid& solid : closed_solids()) {
         CHECK(leaks<float>(solid, 1, {}, false, false, 200000) == 0);
         CHECK(leaks<double>(solid, 1, {}, false, false, 10000) == 0);
@@ -120,47 +126,97 @@ TEST_CASE("row 3: nor far from the origin, very large or very small") {
     }
 }
 
-TEST_CASE("row 1: from outside a ray well inside the silhouette is not lost") {
-    // The exact sides of the line against the two triangles of each edge tell whether it passes
-    // through the solid at all; only lines with a margin count.
-    const Solid solid = icosphere(1);
-    SceneMaker make;
-    make.mesh(solid);
-    const auto scene = renderer::prepare<float>(make.scene);
+namespace {
+
+/// The edges between a face that looks at `from` and one that does not, narrowed as the mesh is.
+std::vector<std::array<Vec3d, 2>> silhouette(const Solid& solid, Vec3d from) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    const auto at = [&](std::uint32_t i) { return solid.positions[i].to<float>().to<double>(); };
+    for (const auto& f : solid.faces) {
+        const auto n =
+            oracle::exact_cross(oracle::minus(oracle::exact(at(f[1])), oracle::exact(at(f[0]))),
+                                oracle::minus(oracle::exact(at(f[2])), oracle::exact(at(f[0]))));
+        const auto to = oracle::minus(oracle::exact(from), oracle::exact(at(f[0])));
+        const int side = oracle::exact_dot(n, to).sign();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto i = f[k];
+            const auto j = f[(k + 1) % 3];
+            // A face seen edge-on borders on whatever its neighbour is.
+            sides[{std::min(i, j), std::max(i, j)}] += side == 0 ? 1 : 2 * side;
+        }
+    }
+    std::vector<std::array<Vec3d, 2>> edges;
+    for (const auto& [edge, sum] : sides) {
+        if (sum > -4 && sum < 4) edges.push_back({at(edge.first), at(edge.second)});
+    }
+    return edges;
+}
+
+double distance_to(const std::array<Vec3d, 2>& segment, Vec3d o, Vec3d d) {
+    const auto across = [&](Vec3d a) { return a - d * (dot(a, d) / dot(d, d)); };
+    const Vec3d w = across(segment[0] - o);
+    const Vec3d e = across(segment[1] - segment[0]);
+    const double m = -dot(w, e) / dot(e, e);
+    return length(w + e * (m > 0 ? (m < 1 ? m : 1) : 0));
+}
+
+}  // namespace
+
+TEST_CASE("row 1: from outside the answer is the exact one beyond 8u of the silhouette") {
     Random random(9);
     renderer::Counters counters;
-    int through = 0;
-    for (int i = 0; i < 4000; ++i) {
-        renderer::Ray<float> r;
-        r.origin = (random.direction() * 3).to<float>();
-        r.direction = on_edge(solid, random, i % 2 == 0).to<float>() - r.origin;
-        const Vec3d o = r.origin.to<double>();
-        const Vec3d d = r.direction.to<double>();
-        // Distance of the line to the centre below the inscribed sphere's radius, 0.9.
-        const double margin = length(cross(o, normalize(d)));
-        if (margin > 0.9) continue;
-        ++through;
-        CHECK(closest_hit(scene, r, {}, counters));
-        int crossed = 0;
-        for (const auto& f : solid.faces) {
-            int same = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3d a = solid.positions[f[k]].to<float>().to<double>();
-                const Vec3d b = solid.positions[f[(k + 1) % 3]].to<float>().to<double>();
-                same += oracle::exact_side(o, d, a, b).sign();
+    for (const Solid& solid : {icosphere(1), random_star(1, 5), square_prism()}) {
+        SceneMaker make;
+        make.mesh(solid);
+        const auto scene = renderer::prepare<float>(make.scene);
+        REQUIRE(scene.origin == Vec3d{});
+        int compared = 0;
+        int past = 0;
+        int wrong = 0;
+        for (int i = 0; i < 1500; ++i) {
+            renderer::Ray<float> r;
+            r.origin = (random.direction() * 5).to<float>();
+            // At vertices and edges, and past them by down to a rounding.
+            const Vec3d aim =
+                on_edge(solid, random, i % 2 == 0) +
+                random.point(1) * std::ldexp(1.0, -static_cast<int>(random.below(28)));
+            r.direction = aim.to<float>() - r.origin;
+            const Vec3d o = r.origin.to<double>();
+            const Vec3d d = r.direction.to<double>();
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const auto& edge : silhouette(solid, o)) {
+                nearest = std::min(nearest, distance_to(edge, o, d));
             }
-            crossed += same == 3 || same == -3 ? 1 : 0;
+            // Coordinates are at most 5 and 1.7 in size.
+            if (!(nearest > 8 * 0x1p-24 * (5 + 1.7))) continue;
+            ++compared;
+            bool crossed = false;
+            for (const auto& f : solid.faces) {
+                int above = 0;
+                int below = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Vec3d a = solid.positions[f[k]].to<float>().to<double>();
+                    const Vec3d b = solid.positions[f[(k + 1) % 3]].to<float>().to<double>();
+                    const int side = oracle::exact_side(o, d, a, b).sign();
+                    above += side > 0 ? 1 : 0;
+                    below += side < 0 ? 1 : 0;
+                }
+                crossed = crossed || (above == 0) != (below == 0);
+            }
+            past += crossed ? 0 : 1;
+            wrong += bool(closest_hit(scene, r, {}, counters)) == crossed ? 0 : 1;
         }
-        // The exact answer never has more strict crossings than an entry and an exit.
-        CHECK(crossed <= 2);
+        CHECK(compared > 500);
+        CHECK(past > 20);
+        CHECK(wrong == 0);
     }
-    CHECK(through > 1000);
 }
 
 TEST_CASE("row 12: the answer is the exact one wherever the line keeps a margin from the edges") {
     Random random(12);
     int compared = 0;
     int wrong = 0;
+    int lost = 0;
     for (int i = 0; i < 60000; ++i) {
         const auto o = random.point(4).to<float>();
         const Triangle v{random.point(1).to<float>(), random.point(1).to<float>(),
@@ -185,12 +241,15 @@ TEST_CASE("row 12: the answer is the exact one wherever the line keeps a margin 
             if (sense == 0) sense = side.sign();
             inside = inside && side.sign() == sense;
         }
+        // A line that truly meets it is never lost, however near to an edge.
+        if (inside && !sound(renderer::RayShear<float>(o, d), v)) ++lost;
         if (!sure) continue;
         ++compared;
         if (sound(renderer::RayShear<float>(o, d), v) != inside) ++wrong;
     }
     CHECK(compared > 20000);
     CHECK(wrong == 0);
+    CHECK(lost == 0);
 }
 
 TEST_CASE("row 22: a closed mesh is entered as often as it is left") {

@@ -7,7 +7,10 @@
 #include <cmath>
 
 #include "ir/math/vec.hpp"
+#include "renderer/geometry/hit.hpp"
+#include "renderer/geometry/ray.hpp"
 #include "renderer/geometry/triangle.hpp"
+#include "renderer/scene/prepared_scene.hpp"
 
 namespace cobble::test {
 
@@ -47,6 +50,23 @@ inline bool absolute_epsilon(const renderer::RayShear<float>& ray, const Triangl
 
 inline bool sound(const renderer::RayShear<float>& ray, const Triangle& v) {
     return renderer::intersect_triangle(ray, v).has_value();
+}
+
+/// Every triangle by itself: `accepts` decides, what is met is right.
+template <typename Accepts>
+renderer::Hit<float> cast_by(const renderer::PreparedScene<float>& scene,
+                             const renderer::Ray<float>& ray, const renderer::Exclude& exclude,
+                             Accepts accepts) {
+    const renderer::RayShear<float> shear(ray.origin, ray.direction);
+    renderer::Hit<float> best;
+    for (const auto& t : scene.geometry.triangles) {
+        if (t.object == exclude.object && t.face == exclude.face) continue;
+        if (!accepts(shear, t.vertices)) continue;
+        const auto hit = renderer::intersect_triangle(shear, t.vertices);
+        if (!hit || !(hit->t > ray.t_min) || (best && !(hit->t < best.t))) continue;
+        best = {hit->t, t.object, t.face, hit->u, hit->v};
+    }
+    return best;
 }
 
 }  // namespace cobble::test

@@ -99,22 +99,98 @@ TEST_CASE("what is no file is unreadable, with the system's reason") {
     CHECK(built.lowered.diagnostics[0].message == "texture 'tex' cannot be read: it is a folder");
 }
 
-TEST_CASE("an image is read once, as a texture and as data") {
+TEST_CASE("all assets of a scene keep to one limit of bytes") {
+    MemoryFiles files;
+    for (const char* name : {"a", "b", "c"}) {
+        files.files["scene/" + std::string(name) + ".bmp"] = red(8, 4);
+    }
+    files.files["scene/n.hdr"] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\1\2\3\x80";
+    const std::string scene = scene_of(kSphere,
+                                       "Material { texture a.bmp }\nMaterial { texture b.bmp }\n"
+                                       "Material { texture ./a.bmp bump b.bmp }\n"
+                                       "Material { texture c.bmp }");
+    LowerOptions options;
+    options.limits.asset_bytes = std::uint64_t{3} * 8 * 4 * 3;
+    CHECK(build(scene, files, options).codes().empty());
+    --options.limits.asset_bytes;
+    auto built = build(scene, files, options);
+    REQUIRE(built.codes() == Strings{"asset-too-large"});
+    const auto& diagnostic = built.lowered.diagnostics[0];
+    CHECK(named(built, 0) == "c.bmp");
+    CHECK(diagnostic.message ==
+          "texture 'c.bmp' is too large: it takes 96 bytes (8 x 4 pixels), and of the 287 bytes "
+          "for all assets of a scene together 95 are left");
+    CHECK(diagnostic.notes == Strings{"tried 'scene/c.bmp'"});
+    CHECK(built.scene().images.back().missing);
+
+    // Floats take four times the bytes, whether they come from the file or are made.
+    options.limits.asset_bytes = 12;
+    CHECK(with_texture(files, "texture n.hdr", options).codes().empty());
+    options.limits.asset_bytes = 11;
+    CHECK(with_texture(files, "texture n.hdr", options).codes() == Strings{"asset-too-large"});
+    options.limits.asset_bytes = 96;
+    CHECK(with_texture(files, "texture a.bmp", options).codes().empty());
+    options.decode_srgb = true;
+    CHECK(with_texture(files, "texture a.bmp", options).codes() == Strings{"asset-too-large"});
+    options.limits.asset_bytes = 96 * 5;
+    CHECK(with_texture(files, "texture a.bmp bump a.bmp", options).codes().empty());
+    --options.limits.asset_bytes;
+    CHECK(with_texture(files, "texture a.bmp bump a.bmp", options).codes() ==
+          Strings{"asset-too-large"});
+}
+
+TEST_CASE("a picture that claims much is not decoded for want of room") {
+    MemoryFiles files;
+    // 300 million pixels' worth of zeros in some 100 KB would be caught on the way; this is told
+    // from its header.
+    files.files["scene/bomb.png"] = png_of_stream(8000, 8000, 2, deflate_zeros(1U << 20));
+    LowerOptions options;
+    options.limits.asset_bytes = 100'000'000;
+    const auto built = with_texture(files, "texture bomb.png", options);
+    REQUIRE(built.codes() == Strings{"asset-too-large"});
+    CHECK(built.lowered.diagnostics[0].message ==
+          "texture 'bomb.png' is too large: it takes 192000000 bytes (8000 x 8000 pixels), and of "
+          "the 100000000 bytes for all assets of a scene together 100000000 are left");
+}
+
+TEST_CASE("meshes count to the bytes of all assets, with their text") {
+    MemoryFiles files;
+    files.files["scene/m.obj"] = kTriangle;
+    files.files["scene/fan.obj"] = kTriangle + "f 1 2 3 1 2 3 \\\n1 2 3\nvn 0 0 1\nvt 0 0\n";
+    const auto codes = [&](const char* name, std::uint64_t limit) {
+        LowerOptions options;
+        options.limits.asset_bytes = limit;
+        return build(scene_of(std::string("TriangleMesh { obj_file ") + name + " }"), files,
+                     options)
+            .codes();
+    };
+    const std::uint64_t triangle = kTriangle.size() + std::uint64_t{3} * 24 + 40;
+    CHECK(codes("m.obj", triangle).empty());
+    CHECK(codes("m.obj", triangle - 1) == Strings{"asset-too-large"});
+    const std::uint64_t fan = files.files["scene/fan.obj"].size() + 3 * 24 + 8 * 40 + 24 + 16;
+    // Texture coordinates are taken for larger than they are.
+    CHECK(codes("fan.obj", fan + 8) == Strings{"asset-mesh-degenerate-face"});
+    CHECK(codes("fan.obj", fan - 1) == Strings{"asset-too-large"});
+}
+
+TEST_CASE("an image is read and kept once, as a texture and as data") {
     MemoryFiles files;
     files.files["scene/t.bmp"] = bmp(2, 2, [](auto x, auto y) { return (x + 2 * y) * 0x102030U; });
     const auto built = build(scene_of(kSphere,
+                                      "Material { bump t.bmp }\n"
                                       "Material { texture t.bmp normal ./t.bmp }\n"
                                       "Material { texture t.bmp bump t.bmp }"),
                              files);
     CHECK(built.codes().empty());
     CHECK(files.reads["scene/t.bmp"] == 1);
     const Scene& scene = built.scene();
-    REQUIRE(scene.images.size() == 2);
+    REQUIRE(scene.images.size() == 1);
     CHECK(scene.images[0].tag == ColorTag::kDisplay);
-    CHECK(scene.images[1].tag == ColorTag::kData);
-    CHECK(scene.images[0].bytes == scene.images[1].bytes);
-    CHECK(scene.images[0].source == scene.images[1].source);
-    CHECK(scene.materials[1].bump_map == scene.materials[0].normal_map);
+    CHECK(!scene.images[0].constant);
+    CHECK(scene.materials[1].texture == scene.materials[1].normal_map);
+    CHECK(scene.materials[2].bump_map == scene.materials[0].bump_map);
+    const auto data = build(scene_of(kSphere, "Material { bump t.bmp }"), files);
+    CHECK(data.scene().images.at(0).tag == ColorTag::kData);
 }
 
 TEST_CASE("cube maps take the first ending that all six faces have") {
@@ -194,6 +270,29 @@ TEST_CASE("problems of a mesh stand in the mesh, with the scene's path beside th
         CHECK(with_mesh(files, kTriangle + "v 1 2 x\n").codes() == Strings{"asset-mesh-number"});
         CHECK(with_mesh(files, kTriangle + "v 1 2\n").codes() == Strings{"asset-mesh-statement"});
         CHECK(with_mesh(files, kTriangle + "f 1 2\n").codes() == Strings{"asset-mesh-face"});
+    }
+    SUBCASE("a texture coordinate that is no number") {
+        for (const std::string bad : {"nan", "1e39"}) {
+            CAPTURE(bad);
+            const auto built = with_mesh(files, kTriangle + "vt " + bad + " 0\nf 1/1 2/1 3/1\n");
+            REQUIRE(built.codes() == Strings{"asset-mesh-number"});
+            const auto& diagnostic = built.lowered.diagnostics[0];
+            CHECK(named(built, 0) == bad);
+            CHECK(built.sources->path(diagnostic.span.source) == "scene/m.obj");
+            REQUIRE(diagnostic.related.size() == 1);
+            CHECK(built.sources->text(diagnostic.related[0].span) == "m.obj");
+            CHECK(built.scene().meshes.at(0).faces.size() == 1);
+        }
+    }
+    SUBCASE("unknown keywords") {
+        const auto built = with_mesh(files, kTriangle + "s off\nhello 1 2\nhello 3\n");
+        REQUIRE(built.codes() == Strings{"asset-mesh-keyword"});
+        CHECK(built.lowered.diagnostics[0].severity == source::Severity::kWarning);
+        CHECK(named(built, 0) == "hello");
+        CHECK(built.lowered.renderable);
+        const auto many = with_mesh(files, kTriangle + "a\nb\nc\nd\ne\nh\n");
+        REQUIRE(many.codes().size() == 5);
+        CHECK(many.lowered.diagnostics[4].notes == Strings{"other words are not listed"});
     }
     SUBCASE("too many faces") {
         files.files["scene/m.obj"] = kTriangle + "f 1 2 3\nf 1 2 3\n";
@@ -297,7 +396,7 @@ TEST_CASE("every code of this library has its page") {
         CHECK(!code->example.empty());
         CHECK(!code->mend.empty());
     }
-    CHECK(count == 18);
+    CHECK(count == 19);
 }
 
 TEST_CASE("--transfer srgb decodes colours and pictures, but no data") {

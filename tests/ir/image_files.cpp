@@ -57,9 +57,9 @@ std::uint32_t adler32(std::string_view bytes) {
 }  // namespace
 
 std::string png_of_stream(std::uint32_t width, std::uint32_t height, int type,
-                          std::string_view zlib) {
+                          std::string_view zlib, int depth) {
     std::string header = big(width) + big(height);
-    header += '\x08';
+    header += static_cast<char>(depth);
     header += static_cast<char>(type);
     header.append(3, '\0');
     std::string file("\x89PNG\r\n\x1a\n", 8);
@@ -69,13 +69,14 @@ std::string png_of_stream(std::uint32_t width, std::uint32_t height, int type,
     return file;
 }
 
-std::string png(std::uint32_t width, std::uint32_t height, int type, std::string_view rows) {
+std::string png(std::uint32_t width, std::uint32_t height, int type, std::string_view rows,
+                int depth) {
     std::string zlib("\x78\x01\x01", 3);
     zlib += little(rows.size(), 2);
     zlib += little(~rows.size(), 2);
     zlib += rows;
     zlib += big(adler32(rows));
-    return png_of_stream(width, height, type, zlib);
+    return png_of_stream(width, height, type, zlib, depth);
 }
 
 std::string deflate_zeros(std::size_t size) {

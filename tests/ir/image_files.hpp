@@ -10,13 +10,14 @@
 
 namespace cobble::test {
 
-/// A PNG with 8-bit channels. `type` 0 is grey, 2 RGB, 6 RGBA. `rows` holds each row behind its
-/// filter byte; it is stored uncompressed.
-std::string png(std::uint32_t width, std::uint32_t height, int type, std::string_view rows);
+/// A PNG with channels of `depth` bits. `type` 0 is grey, 2 RGB, 6 RGBA. `rows` holds each row
+/// behind its filter byte; it is stored uncompressed.
+std::string png(std::uint32_t width, std::uint32_t height, int type, std::string_view rows,
+                int depth = 8);
 
 /// The same around a zlib stream as given.
 std::string png_of_stream(std::uint32_t width, std::uint32_t height, int type,
-                          std::string_view zlib);
+                          std::string_view zlib, int depth = 8);
 
 /// A zlib stream that unpacks to about `size` zero bytes.
 std::string deflate_zeros(std::size_t size);

@@ -402,3 +402,18 @@ TEST_CASE("a million nested transforms are a loop, not a recursion") {
     // Steps of 1 with quarter turns go round a square and come back.
     CHECK(built.scene().spheres[0].keys[0].center == Vec3d{0, 0, 0});
 }
+
+TEST_CASE("what is left out for passing through zero is what the checker reports") {
+    const auto is_left_out = [](const std::string& end) {
+        MemoryFiles files;
+        const auto built = build(scene_of("Transform { Rotate { 0 1 0 0 } Motion { Rotate { " +
+                                          end + " 90 } } Sphere { center 1 0 0 radius 1 } }"),
+                                 files);
+        CHECK(built.checked.has_errors() == built.scene().objects.empty());
+        return built.scene().objects.empty();
+    };
+    CHECK(is_left_out("0 -1 0"));
+    CHECK(is_left_out("0 -2.5 0"));
+    CHECK(!is_left_out("0.000001 -1 0"));
+    CHECK(!is_left_out("0 0 -1"));
+}

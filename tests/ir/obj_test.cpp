@@ -119,6 +119,31 @@ TEST_CASE("faces may come before their vertices") {
                   "asset-mesh-index '-3': face refers to vertex -3, but only 0 came before it"});
 }
 
+TEST_CASE("unknown keywords are remarked upon, known ones are not") {
+    const auto remarks = [](const std::string& text) {
+        Strings result;
+        for (const ObjProblem& remark : read(text).remarks) {
+            result.push_back(text.substr(remark.begin, remark.end - remark.begin) + ": " +
+                             remark.message);
+        }
+        return result;
+    };
+    CHECK(remarks(kThree + "hello 1 2\n V 1 2 3\nhello again\nf 1 2 3\n") ==
+          Strings{"hello: unknown keyword 'hello', the line is not read",
+                  "V: unknown keyword 'V', the line is not read"});
+    CHECK(remarks("mtllib a.mtl\no cube\ng a b\ns off\nusemtl red\nl 1 2\np 1\nvp 0 0\n"
+                  "cstype bezier\ndeg 3\ncurv 0 1 1 2\nparm u 0 1\nend\n# hello\n\n \t\n") ==
+          Strings{});
+    CHECK(remarks("\xEF\xBB\xBFv 0 0 0\n") == Strings{});
+    CHECK(remarks("h\xFFllo\n\\ x\n") ==
+          Strings{"h\xFFllo: unknown keyword 'h?llo', the line is not read",
+                  "\\: unknown keyword '\\', the line is not read"});
+    CHECK(remarks("a\nb\nc\nd\ne\nh\n").size() == kMaxObjRemarks);
+    CHECK(read_published("hello 1 2\n").remarks.empty());
+    // A remark takes no error's place.
+    CHECK(problems("a\nb\nc\nd\ne\nv 1\n").size() == 1);
+}
+
 TEST_CASE("each problem has its place") {
     CHECK(problems("v 0 1.2.3 0\n") ==
           Strings{"asset-mesh-number '1.2.3': malformed number '1.2.3'"});
@@ -126,6 +151,13 @@ TEST_CASE("each problem has its place") {
     CHECK(problems("v 0 nan 0\n") == Strings{"asset-mesh-number 'nan': malformed number 'nan'"});
     CHECK(problems("v 0 1e999 0\n") ==
           Strings{"asset-mesh-number '1e999': number '1e999' is too large"});
+    CHECK(problems("vt nan 0\n") == Strings{"asset-mesh-number 'nan': malformed number 'nan'"});
+    CHECK(problems("vt 0 -inf\n") == Strings{"asset-mesh-number '-inf': malformed number '-inf'"});
+    // Infinite in single precision.
+    CHECK(problems("vt 1e39 0\n") ==
+          Strings{"asset-mesh-number '1e39': number '1e39' is too large"});
+    CHECK(problems("vn 0 -3.5e38 0\nvt 3.4e38 1e-300\n") ==
+          Strings{"asset-mesh-number '-3.5e38': number '-3.5e38' is too large"});
     CHECK(problems("v 0 1\n") ==
           Strings{"asset-mesh-statement 'v 0 1': 'v' takes 3 to 7 numbers, not 2"});
     CHECK(problems("v 1 2 3 4 5 6 7 8\n") ==

@@ -39,7 +39,7 @@ double disk_left_of(double x) {
 
 }  // namespace
 
-TEST_CASE("the circle of confusion has the thin lens's size") {
+TEST_CASE("row 37: the circle of confusion has the thin lens's size") {
     // A white dot of 0.1 at distance 10 in a picture 4 wide there, 64 pixels, of which the middle
     // is enough. Some sixteen thousand samples meet the dot: a diameter is good to a third of a
     // percent.

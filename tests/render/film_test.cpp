@@ -20,14 +20,14 @@ Sample grey(double value) {
 
 }  // namespace
 
-TEST_CASE("a million equal samples have that value as their mean") {
+TEST_CASE("row 40: a million equal samples have that value as their mean") {
     PixelAccumulator sums;
     for (int i = 0; i < 1000000; ++i) REQUIRE(sums.add(grey(0.1)));
     CHECK(std::fabs(sums.pixel().color.x - 0.1) <= 0.1 * 1e-12);
     CHECK(sums.pixel().samples == 1000000);
 }
 
-TEST_CASE("one firefly costs no more than its own rounding") {
+TEST_CASE("row 40: one firefly costs no more than its own rounding") {
     PixelAccumulator sums;
     long double exact = 0;
     const int n = 100000;
@@ -41,7 +41,7 @@ TEST_CASE("one firefly costs no more than its own rounding") {
     CHECK(std::isfinite(sum));
 }
 
-TEST_CASE("NaN and infinity are refused whole, and negative zero is no trouble") {
+TEST_CASE("row 40: NaN and infinity are refused whole, and negative zero is no trouble") {
     PixelAccumulator sums;
     CHECK(sums.add(grey(-0.0)));
     CHECK_FALSE(sums.add(grey(std::numeric_limits<double>::quiet_NaN())));

@@ -3,42 +3,16 @@
 // in golden.expected. A change of meaning changes them: COBBLE_UPDATE=1 writes them anew.
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <iomanip>
 #include <sstream>
 #include <string>
 
 #include "tests/render/everything.hpp"
+#include "tests/support/golden.hpp"
 
 using namespace cobble;
 using namespace cobble::test;
 
 namespace {
-
-/// FNV-1a, 64 bits, over the floats' bytes from the lowest.
-class Hash {
-  public:
-    void add(const renderer::Plane32& plane) {
-        for (const float value : plane.values) {
-            std::uint32_t bits = 0;
-            std::memcpy(&bits, &value, sizeof bits);
-            for (int i = 0; i < 4; ++i) {
-                state_ = (state_ ^ (bits >> (8 * i) & 255U)) * 0x100000001b3U;
-            }
-        }
-    }
-    [[nodiscard]] std::string text() const {
-        std::ostringstream out;
-        out << std::hex << std::setw(16) << std::setfill('0') << state_;
-        return out.str();
-    }
-
-  private:
-    std::uint64_t state_ = 0xcbf29ce484222325U;
-};
 
 std::string hashes(renderer::Acceleration core) {
     SceneBuilder b = everything();
@@ -53,11 +27,11 @@ std::string hashes(renderer::Acceleration core) {
             s.acceleration = core;
             s.want_depth = s.want_normals = s.want_albedo = true;
             const Rendered r = render(b.scene(), s);
-            Hash hash;
-            hash.add(r.picture.color);
-            hash.add(r.picture.depth);
-            hash.add(r.picture.normals);
-            hash.add(r.picture.albedo);
+            BitsHash hash;
+            hash.add(r.picture.color.values);
+            hash.add(r.picture.depth.values);
+            hash.add(r.picture.normals.values);
+            hash.add(r.picture.albedo.values);
             out << (exact ? "double " : "float ") << name << ' ' << hash.text() << '\n';
         }
     }
@@ -67,11 +41,6 @@ std::string hashes(renderer::Acceleration core) {
 }  // namespace
 
 TEST_CASE("pictures have the bits that are written down") {
-    const std::string path = std::string(COBBLE_ROOT) + "/tests/render/golden.expected";
-    const std::string now = hashes(renderer::Acceleration::kBvh);
-    if (std::getenv("COBBLE_UPDATE") != nullptr) std::ofstream(path, std::ios::binary) << now;
-    std::ifstream in(path, std::ios::binary);
-    const std::string expected{std::istreambuf_iterator<char>(in), {}};
-    CHECK(now == expected);
-    CHECK(hashes(renderer::Acceleration::kFast) == expected);
+    check_golden("tests/render/golden.expected", hashes(renderer::Acceleration::kBvh));
+    check_golden("tests/render/golden.expected", hashes(renderer::Acceleration::kFast));
 }

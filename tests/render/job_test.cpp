@@ -158,6 +158,16 @@ TEST_CASE("preparing a large scene neither holds up a step nor a cancel") {
     CHECK(abandoned < milliseconds_since(again));
 }
 
+TEST_CASE("without threads the scene is prepared in a step of its own") {
+    SceneBuilder b;
+    b.sphere({0, 0, 0}, 1);
+    const auto scheduler = renderer::make_serial_scheduler();
+    const auto job = renderer::start_render(b.scene(), settings(64, 64, 4), *scheduler);
+    CHECK(job->step(soon(0)).rays == 0);
+    CHECK(job->stats().scene_bytes > 0);
+    CHECK(job->step(soon(0)).rays > 0);
+}
+
 TEST_CASE("a cancelled picture keeps the pixels that were finished") {
     SceneBuilder b;
     b.background({0.5, 0.5, 0.5});
@@ -186,7 +196,7 @@ TEST_CASE("a cancelled picture keeps the pixels that were finished") {
     CHECK(finished < 256 * 256);
 }
 
-TEST_CASE("samples that are no numbers are counted, located and left out") {
+TEST_CASE("row 40: samples that are no numbers are counted, located and left out") {
     // Too bright for a float: infinity on the sphere, in single precision only.
     SceneBuilder b;
     b.background({0.25, 0.25, 0.25});

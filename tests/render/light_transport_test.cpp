@@ -192,7 +192,9 @@ TEST_CASE("a closed mesh of glass is entered and left as a box of glass is") {
     CHECK(m.stats.counters.refracted_rays == a.stats.counters.refracted_rays);
 }
 
-TEST_CASE("energy: in a white world, glass and mirrors of any shape give back no more than white") {
+TEST_CASE(
+    "row 30: energy: in a white world, glass and mirrors of any shape give back no more than "
+    "white") {
     for (const double index : {0.5, 1.0, 1.33, 1.5, 2.4}) {
         SceneBuilder b;
         b.background({1, 1, 1});
@@ -238,7 +240,7 @@ TEST_CASE("environment-mapped surfaces show half the surroundings and half their
     CHECK(one_pixel(b.scene(), settings(1, 1, 1, off), Precision::kFloat).color(0, 0) == Color{});
 }
 
-TEST_CASE("a normal map, however steep, makes no black mirror and no light from below") {
+TEST_CASE("row 30: a normal map, however steep, makes no black mirror and no light from below") {
     ir::Image steep;
     steep.width = steep.height = 16;
     std::uint32_t state = 99;
@@ -275,7 +277,7 @@ TEST_CASE("a normal map, however steep, makes no black mirror and no light from 
     }
 }
 
-TEST_CASE("lights on, in and under surfaces are finite") {
+TEST_CASE("row 39: lights on, in and under surfaces are finite") {
     for (const double radius : {0.0, 0.3}) {
         for (const Precision precision : kPrecisions) {
             SceneBuilder b;

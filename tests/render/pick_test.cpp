@@ -89,7 +89,7 @@ TEST_CASE("the tree's colour is the pixel's, lens, lights and time at their midd
     CHECK(largest > 8);
 }
 
-TEST_CASE("leaving glass leads to index 1 again, nested or from inside") {
+TEST_CASE("row 32: leaving glass leads to index 1 again, nested or from inside") {
     // Straight through the middle of everything: which shells stand in one another must not bend
     // the ray, and each refracted ray goes on straight.
     for (const bool inside : {false, true}) {

@@ -8,7 +8,10 @@
 #include <chrono>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "renderer/job/fp_environment.hpp"
@@ -68,6 +71,51 @@ TEST_CASE("background work is done by the time that it says so") {
         ended = true;
     });
     CHECK(ended);
+}
+
+TEST_CASE("what a worker throws reaches the caller once all have returned") {
+    const auto caught = [](const auto& function) {
+        try {
+            function();
+        } catch (const std::runtime_error& error) {
+            return std::string(error.what());
+        } catch (const std::bad_alloc&) {
+            return std::string("memory");
+        }
+        return std::string();
+    };
+    const auto scheduler = renderer::make_thread_scheduler(4);
+    REQUIRE(scheduler->workers() == 4);
+    for (std::uint32_t thrower = 0; thrower < 4; ++thrower) {
+        std::atomic<std::uint32_t> returned = 0;
+        CHECK(caught([&] {
+                  scheduler->run([&](std::uint32_t worker) {
+                      if (worker == thrower) throw std::bad_alloc();
+                      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                      ++returned;
+                  });
+              }) == "memory");
+        CHECK(returned == 3);
+    }
+    CHECK(caught([&] {
+              scheduler->run([](std::uint32_t worker) {
+                  if (worker > 0) throw std::runtime_error(std::to_string(worker));
+              });
+          }) == "1");
+    // A round that went wrong leaves nothing behind.
+    std::atomic<std::uint32_t> returned = 0;
+    CHECK(caught([&] { scheduler->run([&](std::uint32_t) { ++returned; }); }).empty());
+    CHECK(returned == 4);
+
+    for (const bool threads : {false, true}) {
+        const auto beside =
+            threads ? renderer::make_thread_scheduler(2) : renderer::make_serial_scheduler();
+        const auto background = beside->start([] { throw std::bad_alloc(); });
+        const auto soon = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        CHECK(caught([&] { background->wait_until(soon); }) == "memory");
+    }
+    // Dropped, it takes what it threw along.
+    CHECK(caught([&] { scheduler->start([] { throw std::bad_alloc(); }); }).empty());
 }
 
 TEST_CASE("a task has its own rounding and denormals, and leaves the host's as they were") {

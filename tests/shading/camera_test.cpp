@@ -46,7 +46,7 @@ TEST_CASE("the angle spans the height and pixels are square") {
     CHECK(a.y == b.y);
 }
 
-TEST_CASE("a lens without aperture is a pinhole to the bit, at any focus distance") {
+TEST_CASE("row 37: a lens without aperture is a pinhole to the bit, at any focus distance") {
     ir::Camera camera = looking_ahead();
     camera.center = {1, 2, 3};
     for (const double focus : {1e-3, 1.0, 7.3, 1e9}) {
@@ -64,7 +64,8 @@ TEST_CASE("a lens without aperture is a pinhole to the bit, at any focus distanc
     }
 }
 
-TEST_CASE("rays of one point meet in the plane of focus, and spread as a thin lens's elsewhere") {
+TEST_CASE(
+    "row 37: rays of one point meet in the plane of focus, and spread as a thin lens's elsewhere") {
     ir::Camera camera = looking_ahead();
     camera.aperture = 0.2;
     for (const double focus : {1e-3, 2.0, 50.0, 1e9}) {
@@ -92,7 +93,7 @@ TEST_CASE("rays of one point meet in the plane of focus, and spread as a thin le
     }
 }
 
-TEST_CASE("extreme angles give finite unit directions") {
+TEST_CASE("row 38: extreme angles give finite unit directions") {
     for (const double angle : {1e-9, 1e-3, 3.14, 3.1415926}) {
         const PreparedCamera camera(looking_ahead(angle), 7, 5);
         for (const double x : {0.0, 3.5, 7.0}) {

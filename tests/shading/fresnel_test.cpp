@@ -55,8 +55,8 @@ TEST_CASE_TEMPLATE("head-on reflectance is the exact one", T, float, double) {
     CHECK(static_cast<double>(back.reflectance) == doctest::Approx(0.04).epsilon(1e-6));
 }
 
-TEST_CASE_TEMPLATE("around the critical angle nothing jumps and nothing is no number", T, float,
-                   double) {
+TEST_CASE_TEMPLATE("row 31: around the critical angle nothing jumps and nothing is no number", T,
+                   float, double) {
     const T glass = T(1.5);
     T sine = static_cast<T>(1.0 / static_cast<double>(glass));
     for (int k = 0; k < 64; ++k) sine = std::nextafter(sine, T(0));
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("around the critical angle nothing jumps and nothing is no nu
     }
 }
 
-TEST_CASE_TEMPLATE("equal indices leave a ray's bits alone", T, float, double) {
+TEST_CASE_TEMPLATE("row 31: equal indices leave a ray's bits alone", T, float, double) {
     for (double sine = 0; sine < 1; sine += 0.0137) {
         const auto d = downwards<T>(sine);
         const auto r = renderer::refract(d, up<T>(), T(1.33), T(1.33));
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("equal indices leave a ray's bits alone", T, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("extreme indices and grazing rays stay finite", T, float, double) {
+TEST_CASE_TEMPLATE("row 31: extreme indices and grazing rays stay finite", T, float, double) {
     for (const double index : {1e-3, 1e3, 1e-30, 1e30}) {
         for (const double sine : {0.0, 1e-7, 0.5, 1 - 1e-7, 1.0}) {
             for (const auto& r : {renderer::refract(downwards<T>(sine), up<T>(), T(1), T(index)),
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("extreme indices and grazing rays stay finite", T, float, dou
     }
 }
 
-TEST_CASE_TEMPLATE("a bent normal sends nothing through the surface", T, float, double) {
+TEST_CASE_TEMPLATE("row 30: a bent normal sends nothing through the surface", T, float, double) {
     const Vec3<T> ground = up<T>();
     for (double tilt = -1.5; tilt <= 1.5; tilt += 0.05) {
         for (double sine = -0.999; sine < 1; sine += 0.05) {

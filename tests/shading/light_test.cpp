@@ -88,7 +88,8 @@ TEST_CASE("a sun's directions lie within half its diameter") {
     CHECK(least <= std::cos(diameter / 2 * 0.98));
 }
 
-TEST_CASE_TEMPLATE("a light on the very point gives nothing, and no NaN", T, float, double) {
+TEST_CASE_TEMPLATE("row 39: a light on the very point gives nothing, and no NaN", T, float,
+                   double) {
     for (const double radius : {0.0, 0.5}) {
         const auto light = renderer::prepare_light(point_light({1, 2, 3}, 2, radius), {});
         const Vec3<T> at{1, 2, 3};

@@ -79,7 +79,7 @@ TEST_CASE("gradients are the twelve edge directions") {
     }
 }
 
-TEST_CASE("noise equals lattice noise over integer cells up to 2^22, negative ones too") {
+TEST_CASE("row 35: noise equals lattice noise over integer cells up to 2^22, negative ones too") {
     Random random;
     for (int n = 0; n < 4000; ++n) {
         const double reach = std::ldexp(1.0, static_cast<int>(random.next() % 23));
@@ -91,7 +91,7 @@ TEST_CASE("noise equals lattice noise over integer cells up to 2^22, negative on
     }
 }
 
-TEST_CASE("noise wraps at 256 exactly, wherever the sum is exact") {
+TEST_CASE("row 35: noise wraps at 256 exactly, wherever the sum is exact") {
     Random random;
     for (int n = 0; n < 1000; ++n) {
         const auto coordinate = [&] {
@@ -103,7 +103,7 @@ TEST_CASE("noise wraps at 256 exactly, wherever the sum is exact") {
     }
 }
 
-TEST_CASE("noise is defined everywhere") {
+TEST_CASE("row 35: noise is defined everywhere") {
     for (const double x : {1e9, -1e9, 1e15, 0x1p53, -0x1p60, 1e300, 0.0, -0.0, 5e-324, -5e-324}) {
         const double value = perlin_noise({x, 0.5, x});
         CHECK(std::isfinite(value));
@@ -115,7 +115,7 @@ TEST_CASE("noise is defined everywhere") {
     CHECK(perlin_noise({7, -300, 12}) == 0);
 }
 
-TEST_CASE("octaves neither overflow nor cost more than they give") {
+TEST_CASE("row 35: octaves neither overflow nor cost more than they give") {
     CHECK(renderer::octave_noise({0.3, 0.4, 0.5}, 0) == 0);
     CHECK(renderer::octave_noise({0.3, 0.4, 0.5}, 1) == perlin_noise({0.3, 0.4, 0.5}));
     CHECK(renderer::octave_noise({0.3, 0.4, 0.5}, 2) ==

@@ -53,7 +53,7 @@ TEST_CASE("red bends toward u, green toward v, in mirrored pictures too") {
     CHECK(reversed.x == doctest::Approx(-std::sqrt(0.5)));
 }
 
-TEST_CASE_TEMPLATE("degenerate tangents fall back to any frame", T, float, double) {
+TEST_CASE_TEMPLATE("row 29: degenerate tangents fall back to any frame", T, float, double) {
     const auto n = math::normalize(Vec3d{0.2, -0.9, 0.4}).to<T>();
     const Vec3<T> zero;
     const Vec3<T> along = n * T(1e6);

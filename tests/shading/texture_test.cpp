@@ -61,7 +61,7 @@ TEST_CASE("bilinear is the mean half-way, and wraps around the edge") {
     CHECK(red(-0.875 + 0.125) == doctest::Approx(red(0.25)));
 }
 
-TEST_CASE("coordinates wrap into range, wherever they are") {
+TEST_CASE("row 36: coordinates wrap into range, wherever they are") {
     const ir::Image image = ramp(3, 5);
     const double below_one = std::nextafter(1.0, 0.0);
     const double below_zero = -std::numeric_limits<double>::denorm_min();
@@ -91,7 +91,7 @@ TEST_CASE("coordinates wrap into range, wherever they are") {
     }
 }
 
-TEST_CASE("coordinates that are no numbers show as an error") {
+TEST_CASE("row 36: coordinates that are no numbers show as an error") {
     const ir::Image image = ramp(2, 2);
     for (const double bad : {kNaN, kInfinity, -kInfinity}) {
         CHECK(sample_texture(image, TextureFilter::kBilinear, {bad, 0}) == renderer::kErrorColor);

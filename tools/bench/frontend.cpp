@@ -9,16 +9,12 @@
 // `--write` saves the scene for use with other tools.
 #include <fmt/format.h>
 #include <malloc.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <ctime>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,79 +23,57 @@
 #include "frontend/format/format.hpp"
 #include "frontend/lex/tokens.hpp"
 #include "frontend/parse/cst.hpp"
+#include "tools/bench/report.hpp"
 #include "tools/bench/scene_generator.hpp"
+#include "tools/bench/timing.hpp"
 
 namespace {
 
 using namespace cobble;
-using Clock = std::chrono::steady_clock;
+using bench::at_least;
+using bench::at_most;
+using bench::Limit;
 
 struct Measure {
     std::string name;
+    Limit speed;
     double seconds = 0;
-    double bytes_kept = -1;  ///< live heap after the run less before; -1: not measured
+    double bytes_kept = 0;  ///< live heap after the run less before
 };
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 double live_bytes() {
     const struct mallinfo2 info = mallinfo2();
     return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-double processor_seconds() {
-    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
-/// The fastest of several runs. `run` returns what it built, which is timed without its
-/// destruction and weighed once.
+/// `run` returns what it built, which is timed without its destruction and weighed.
 template <typename Run>
-Measure measure(std::string name, double budget, Run run) {
-    Measure result{std::move(name), std::numeric_limits<double>::infinity()};
-    const Clock::time_point start = Clock::now();
+Measure measure(std::string name, Limit speed, double budget, Run run) {
+    Measure result{std::move(name), speed};
     constexpr int kLeastRuns = 3;
-    for (int i = 0; i < kLeastRuns || seconds_since(start) < budget; ++i) {
-        const double before = live_bytes();
-        const double begin = processor_seconds();
-        const auto built = run();
-        result.seconds = std::min(result.seconds, processor_seconds() - begin);
-        result.bytes_kept = live_bytes() - before;
-    }
+    result.seconds = bench::best_seconds(budget, kLeastRuns, run);
+    const double before = live_bytes();
+    const auto built = run();
+    result.bytes_kept = live_bytes() - before;
     return result;
 }
 
-/// One run of a program from start to exit, its output thrown away; negative if it cannot run.
-double process_seconds(const std::vector<std::string>& command) {
-    std::vector<char*> arguments;
-    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    const Clock::time_point begin = Clock::now();
-    const pid_t child = fork();
-    if (child == 0) {
-        if (std::freopen("/dev/null", "w", stdout) != nullptr)
-            execv(arguments[0], arguments.data());
-        _exit(127);
+/// `cobble lint FILE` from start to exit: the least wall time and the least processor time of the
+/// runs that fit into two seconds, at least 50. Exits if the file has errors.
+bench::ProcessTime lint_time(const std::string& path) {
+    constexpr int kLeastRuns = 50;
+    constexpr double kBudget = 2;
+    bench::ProcessTime best{kBudget, kBudget};
+    const auto start = bench::Clock::now();
+    for (int i = 0; i < kLeastRuns || bench::seconds_since(start) < kBudget; ++i) {
+        const auto time = bench::run_process({COBBLE_PROGRAM, "lint", path});
+        if (!time) {
+            fmt::print(stderr, "cobble lint {} failed\n", path);
+            std::exit(1);
+        }
+        best.wall_seconds = std::min(best.wall_seconds, time->wall_seconds);
+        best.processor_seconds = std::min(best.processor_seconds, time->processor_seconds);
     }
-    int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child) return -1;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? seconds_since(begin) : -1;
-}
-
-/// `cobble lint` of a scene of some ten kilobytes, the best of 50 runs.
-double lint_seconds(const std::string& scene) {
-    constexpr int kRuns = 50;
-    std::string path = "/tmp/cobble-bench-XXXXXX.scene";
-    const int file = mkstemps(path.data(), 6);
-    if (file < 0) return -1;
-    close(file);
-    std::ofstream(path, std::ios::binary) << scene;
-    double best = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kRuns && best > 0; ++i) {
-        best = std::min(best, process_seconds({COBBLE_PROGRAM, "lint", path}));
-    }
-    unlink(path.c_str());
     return best;
 }
 
@@ -138,29 +112,33 @@ int main(int argc, char** argv) {
         frontend::Cst cst;
     };
     std::vector<Measure> measures;
-    measures.push_back(measure("lex", budget, [&] { return frontend::lex(text); }));
-    measures.push_back(measure("lex, parse", budget, [&] {
+    measures.push_back(measure("lex", {}, budget, [&] { return frontend::lex(text); }));
+    measures.push_back(measure("lex, parse", at_least(200), budget, [&] {
         TokensAndTree both{frontend::lex(text), {}};
         both.cst = frontend::parse(both.tokens);
         return both;
     }));
-    measures.push_back(measure("lex, parse, bind, check", budget,
+    measures.push_back(measure("lint: lex, parse, bind, check", at_least(100), budget,
                                [&] { return frontend::check(source::SourceId{0}, text); }));
-    measures.push_back(
-        measure("format with its proof", budget, [&] { return frontend::format(text); }));
-    measures.push_back(measure("nlohmann::json, the same content", budget,
+    measures.push_back(measure("format with its proof", at_least(50), budget,
+                               [&] { return frontend::format(text); }));
+    measures.push_back(measure("nlohmann::json, same content", {}, budget,
                                [&] { return nlohmann::json::parse(generated.json); }));
     const Measure& peer = measures.back();
+    constexpr Limit kKept = at_most(8);
+    constexpr Limit kLint = at_most(10);
 
-    const std::string small = bench::generate_scene(10'000).scene;
-    const double lint = lint_seconds(small);
+    const bench::TemporaryFile small(bench::generate_scene(10'000).scene, ".scene");
+    const struct {
+        std::string what, path;
+    } files[] = {{"generated", small.path()},
+                 {"scenes/basics/phong.scene", COBBLE_ROOT "/scenes/basics/phong.scene"},
+                 {"scenes/village/characters.scene, 14 textures",
+                  COBBLE_ROOT "/scenes/village/characters.scene"}};
 
     const auto size = static_cast<double>(text.size());
     if (as_json) {
-        nlohmann::json out{{"bytes", text.size()},
-                           {"json_bytes", generated.json.size()},
-                           {"small_bytes", small.size()},
-                           {"lint_process_seconds", lint}};
+        nlohmann::json out{{"bytes", text.size()}, {"json_bytes", generated.json.size()}};
         for (const Measure& m : measures) {
             out["measures"].push_back({{"name", m.name},
                                        {"seconds", m.seconds},
@@ -168,20 +146,38 @@ int main(int argc, char** argv) {
                                        {"bytes_kept_per_byte", m.bytes_kept / size},
                                        {"times_as_fast_as_json", peer.seconds / m.seconds}});
         }
+        for (const auto& file : files) {
+            out["lint_process"].push_back({{"name", file.what},
+                                           {"bytes", std::filesystem::file_size(file.path)},
+                                           {"seconds", lint_time(file.path).wall_seconds}});
+        }
         fmt::print("{}\n", out.dump(2));
         return 0;
     }
-    fmt::print("{:.1f} MB of scene, {:.1f} MB as JSON\n\n", size / 1e6,
-               static_cast<double>(generated.json.size()) / 1e6);
-    fmt::print("{:<34}{:>10}{:>10}{:>22}{:>10}\n", "", "ms", "MB/s", "kept per source byte",
-               "x JSON");
+    fmt::print("== Front end: {:.1f} MB of generated scene, one thread, processor time\n\n",
+               size / 1e6);
+    fmt::print("{:<31}{:>8}{:>8}{:>8}  {:<24}{:>11}  {}\n", "", "ms", "MB/s", "x JSON", "speed",
+               "kept B/byte", "memory");
     for (const Measure& m : measures) {
-        fmt::print("{:<34}{:>10.1f}{:>10.1f}{:>22.2f}{:>10.1f}\n", m.name, m.seconds * 1e3,
-                   size / m.seconds / 1e6, m.bytes_kept / size, peer.seconds / m.seconds);
+        const double speed = size / m.seconds / 1e6;
+        const double kept = m.bytes_kept / size;
+        fmt::print("{:<31}{:>8.1f}{:>8.1f}{:>8.2f}  {:<24}{:>11.2f}  {}\n", m.name, m.seconds * 1e3,
+                   speed, peer.seconds / m.seconds, m.speed.verdict(speed), kept,
+                   &m == &peer ? "" : kKept.verdict(kept));
     }
-    if (lint > 0) {
-        fmt::print("\ncobble lint of {:.1f} KB, whole process: {:.2f} ms\n",
-                   static_cast<double>(small.size()) / 1e3, lint * 1e3);
+    fmt::print(
+        "MB/s: 10^6 bytes of scene text a second, for the JSON reader too, whose {:.1f} MB say the "
+        "same.\nx JSON: how many times as fast as nlohmann::json reads that.\n",
+        static_cast<double>(generated.json.size()) / 1e6);
+    fmt::print("\n{:<48}{:>6}{:>8}{:>15}\n", "cobble lint, whole process", "KB", "ms",
+               "processor ms");
+    for (const auto& file : files) {
+        const bench::ProcessTime time = lint_time(file.path);
+        fmt::print("{:<48}{:>6.1f}{:>8.2f}{:>15.2f}  {}\n", file.what,
+                   static_cast<double>(std::filesystem::file_size(file.path)) / 1e3,
+                   time.wall_seconds * 1e3, time.processor_seconds * 1e3,
+                   kLint.verdict(time.wall_seconds * 1e3));
     }
+    fmt::print("\n");
     return 0;
 }

@@ -9,8 +9,6 @@
 #include <tiny_obj_loader.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -20,6 +18,8 @@
 #include "ir/assets/obj/mesh_normals.hpp"
 #include "ir/assets/obj/obj_file.hpp"
 #include "ir/math/elementary.hpp"
+#include "tools/bench/report.hpp"
+#include "tools/bench/timing.hpp"
 
 namespace {
 
@@ -54,18 +54,6 @@ std::string sheet(unsigned n) {
     return text;
 }
 
-template <typename Pass>
-double best_seconds(Pass&& pass) {
-    double best = 1e30;
-    for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        pass();
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        best = std::min(best, time.count());
-    }
-    return best;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -82,11 +70,15 @@ int main(int argc, char** argv) {
     const std::string text = sheet(n);
     const double size = static_cast<double>(text.size()) / 1e6;
 
+    using cobble::bench::best_seconds;
+    constexpr int kPasses = 3;
     ir::ObjFile file;
-    const double ours =
-        best_seconds([&] { file = ir::read_obj(text, ir::ObjRules::kStandard, 1U << 28); });
+    const double ours = best_seconds(0, kPasses, [&] {
+        file = ir::read_obj(text, ir::ObjRules::kStandard, 1U << 28);
+        return 0;
+    });
     std::size_t their_faces = 0;
-    const double theirs = best_seconds([&] {
+    const double theirs = best_seconds(0, kPasses, [&] {
         tinyobj::attrib_t attributes;
         std::vector<tinyobj::shape_t> shapes;
         std::vector<tinyobj::material_t> materials;
@@ -95,6 +87,7 @@ int main(int argc, char** argv) {
         std::istringstream in(text);
         tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &in);
         their_faces = shapes.empty() ? 0 : shapes[0].mesh.num_face_vertices.size();
+        return 0;
     });
     if (file.problem_count > 0 || file.faces.size() != their_faces) {
         fmt::print(stderr, "the readers disagree: {} and {} faces\n", file.faces.size(),
@@ -104,8 +97,10 @@ int main(int argc, char** argv) {
     ir::Mesh mesh;
     mesh.positions = file.positions;
     mesh.faces = file.faces;
-    const double normals =
-        best_seconds([&] { ir::compute_normals(mesh, ir::NormalRule::kCreaseAngle, 60); });
+    const double normals = best_seconds(0, kPasses, [&] {
+        ir::compute_normals(mesh, ir::NormalRule::kCreaseAngle, 60);
+        return 0;
+    });
 
     if (json) {
         const nlohmann::ordered_json result{
@@ -118,11 +113,13 @@ int main(int argc, char** argv) {
         std::cout << result.dump(2) << '\n';
         return 0;
     }
-    fmt::print("{:.1f} MB, {} faces\n", size, file.faces.size());
-    fmt::print("cobble         {:7.0f} MB/s\n", size / ours);
-    fmt::print("tinyobjloader  {:7.0f} MB/s   ({:.1f} times slower)\n", size / theirs,
-               theirs / ours);
-    fmt::print("crease normals {:7.2f} million faces/s\n",
+    constexpr auto kSpeed = cobble::bench::at_least(300);
+    fmt::print("== Meshes: {:.1f} MB of OBJ text in memory, {} faces, one thread\n\n", size,
+               file.faces.size());
+    fmt::print("{:<28}{:>8.0f} MB/s  {:.1f} times as fast as tinyobjloader  {}\n", "cobble",
+               size / ours, theirs / ours, kSpeed.verdict(size / ours));
+    fmt::print("{:<28}{:>8.0f} MB/s\n", "tinyobjloader", size / theirs);
+    fmt::print("{:<28}{:>8.2f} million faces/s\n\n", "normals by crease angle",
                static_cast<double>(file.faces.size()) / normals / 1e6);
     return 0;
 }

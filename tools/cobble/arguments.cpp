@@ -1,48 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "tools/cobble/arguments.hpp"
 
-#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <concepts>
+#include <utility>
 
 #include "frontend/names/suggest.hpp"
 #include "frontend/source/diagnostic.hpp"
+#include "tools/driver/numbers.hpp"
 #include "tools/driver/output.hpp"
 
 namespace cobble {
 namespace {
 
-template <std::unsigned_integral Number>
-bool parse_one(std::string_view text, Number& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
-bool parse_one(std::string_view text, double& number) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    const auto [end, error] =
-        fast_float::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
-template <typename Number>
-bool parse_all(std::string_view text, char separator, std::size_t count,
-               std::vector<Number>& numbers) {
-    numbers.clear();
-    for (;;) {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        Number number{};
-        if (!parse_one(text.substr(0, end), number)) return false;
-        numbers.push_back(number);
-        if (end == text.size()) break;
-        text.remove_prefix(end + 1);
-    }
-    return numbers.size() == count;
+std::string wants_text(std::string_view wants, std::string_view text) {
+    return fmt::format("wants {}, not '{}'", wants, text);
 }
 
 }  // namespace
@@ -59,10 +34,14 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::s
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& choices, const std::string& description) {
     std::string shown;
-    for (const std::string& choice : choices) shown += (shown.empty() ? "" : "|") + choice;
-    const auto check = [choices, shown](const std::string& text) {
+    std::string listed;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        shown += (i == 0 ? "" : "|") + choices[i];
+        listed += (i == 0 ? "" : i + 1 < choices.size() ? ", " : " or ") + choices[i];
+    }
+    const auto check = [choices, listed](const std::string& text) {
         const bool known = std::find(choices.begin(), choices.end(), text) != choices.end();
-        return known ? std::string() : "'" + text + "' is none of " + shown;
+        return known ? std::string() : wants_text(listed, text);
     };
     return app.add_option(name, value, description)
         ->type_name(shown)
@@ -71,11 +50,26 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
         ->capture_default_str();
 }
 
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& wants, std::function<bool(std::string_view)> take,
+                        const std::string& description) {
+    const auto check = [wants, take = std::move(take)](const std::string& text) {
+        return take(text) ? std::string() : wants_text(wants, text);
+    };
+    // The check has taken the value already.
+    return app
+        .add_option_function<std::string>(
+            name, [](const std::string&) {}, description)
+        ->type_name(type)
+        ->check(check)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
 CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high) {
     const auto check = [low, high](std::string& text) {
         std::uint64_t number = 0;
-        if (!parse_one(text, number) || number < low || number > high) {
-            return fmt::format("'{}' must be a whole number from {} to {}", text, low, high);
+        if (!driver::parse_number(text, number) || number < low || number > high) {
+            return wants_text(fmt::format("a whole number from {} to {}", low, high), text);
         }
         // CLI11 would take a leading 0 for a number to the base 8.
         text = std::to_string(number);
@@ -87,18 +81,20 @@ CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t
 CLI::Option* require_number(CLI::Option* option, double low, double high) {
     return option->check([low, high](const std::string& text) {
         double number = 0;
-        if (parse_one(text, number) && number >= low && number <= high) return std::string();
-        return std::isinf(high)
-                   ? fmt::format("'{}' must be a number of {} or more", text, low)
-                   : fmt::format("'{}' must be a number from {} to {}", text, low, high);
+        if (driver::parse_number(text, number) && number >= low && number <= high) {
+            return std::string();
+        }
+        return wants_text(std::isinf(high) ? fmt::format("a number of {} or more", low)
+                                           : fmt::format("a number from {} to {}", low, high),
+                          text);
     });
 }
 
 CLI::Option* require_above(CLI::Option* option, double low) {
     return option->check([low](const std::string& text) {
         double number = 0;
-        if (parse_one(text, number) && number > low) return std::string();
-        return fmt::format("'{}' must be a number above {}", text, low);
+        if (driver::parse_number(text, number) && number > low) return std::string();
+        return wants_text(fmt::format("a number above {}", low), text);
     });
 }
 
@@ -117,16 +113,6 @@ bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::stri
         "--stdin-filepath says where standard input is taken to be: it goes with the "
         "path -");
     return false;
-}
-
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<std::uint32_t>& numbers) {
-    return parse_all(text, separator, count, numbers);
-}
-
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<double>& numbers) {
-    return parse_all(text, separator, count, numbers);
 }
 
 }  // namespace cobble

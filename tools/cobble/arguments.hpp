@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +26,25 @@ CLI::Option* add_list(CLI::App& app, const std::string& name, std::vector<std::s
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string>& choices, const std::string& description);
 
+/// An option whose value `take` reads; `wants` says what it takes ("WxH, such as 640x480") if that
+/// gives false. Given twice, the last one counts.
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& wants, std::function<bool(std::string_view)> take,
+                        const std::string& description);
+
+/// The same for a parser that gives nothing where the text is wrong.
+template <typename Value, typename Target>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& wants, std::optional<Value> (*parse)(std::string_view),
+                        Target& target, const std::string& description) {
+    const auto take = [parse, &target](std::string_view text) {
+        const std::optional<Value> value = parse(text);
+        if (value) target = *value;
+        return value.has_value();
+    };
+    return add_parsed(app, name, type, wants, take, description);
+}
+
 /// Lets an option take whole numbers from `low` to `high` only, written in decimal.
 CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high);
 
@@ -38,12 +59,5 @@ std::string similar_code(std::string_view name);
 /// False, after complaining, if --stdin-filepath was given (`stdin_path` is not empty) although
 /// standard input ("-") is not among `paths`.
 bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths);
-
-/// All of `text` as numbers with `separator` between them, exactly `count`; false if it is not
-/// that, or a number is out of range or not finite.
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<std::uint32_t>& numbers);
-bool parse_numbers(std::string_view text, char separator, std::size_t count,
-                   std::vector<double>& numbers);
 
 }  // namespace cobble

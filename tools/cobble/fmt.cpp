@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
+#include "tools/cobble/option_values.hpp"
+#include "tools/cobble/usage.hpp"
 #include "tools/driver/session.hpp"
 #include "tools/driver/text.hpp"
 #include "tools/driver/unified_diff.hpp"
@@ -24,7 +27,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> paths;
-    std::string range;
+    std::optional<LineRange> range;
     std::string stdin_path;
     bool check = false;
     bool diff = false;
@@ -35,23 +38,12 @@ class Format {
     Format(const Options& options, Context& context) : options_(options), context_(context) {}
 
     int run() {
-        std::vector<std::uint32_t> lines;
-        if (!options_.range.empty()) {
-            const bool good = parse_numbers(options_.range, ':', 2, lines) && lines[0] >= 1 &&
-                              lines[0] <= lines[1];
-            if (!good) {
-                driver::complain("--range: '" + options_.range +
-                                 "' is not two line numbers L1:L2 with 1 <= L1 <= L2");
-                return kFailure;
-            }
-            format_options_ = {lines[0], lines[1]};
-        }
+        if (options_.range) format_options_ = {options_.range->first, options_.range->last};
         if (!stdin_path_is_used(options_.stdin_path, options_.paths)) return kFailure;
         const driver::SceneFiles files = driver::find_scenes(options_.paths);
         for (const std::string& problem : files.problems) fail(problem);
-        if (!lines.empty() && files.paths.size() > 1) {
-            driver::complain("--range takes one file");
-            return kFailure;
+        if (options_.range && files.paths.size() > 1) {
+            return usage_error("fmt", "'--range' takes one file");
         }
         for (const std::string& path : files.paths) {
             if (context_.out.closed()) break;
@@ -141,10 +133,13 @@ void add_fmt(CLI::App& app, Context& context) {
                   "Change nothing; print the files that would change, and exit with 1 if any");
     sub->add_flag("--diff", options->diff,
                   "Change nothing; print what would change, as a unified diff");
-    sub->add_option("--range", options->range, "Format only these lines, from 1 and inclusive")
-        ->type_name("L1:L2");
+    add_parsed(*sub, "--range", "L1:L2", "L1:L2 with 1 <= L1 <= L2, such as 10:20", parse_lines,
+               options->range, "Format only these lines, from 1 and inclusive");
     sub->add_option("--stdin-filepath", options->stdin_path, "What messages call standard input")
         ->type_name("P");
+    sub->footer(
+        "A file is replaced whole, so that nothing can leave half of it. Symbolic links are "
+        "followed; of\nseveral hard links to one file only the one that was named is replaced.");
     sub->callback([options, &context] {
         context.run = [options, &context] { return Format(*options, context).run(); };
     });

@@ -14,6 +14,7 @@
 #include "tools/cobble/help.hpp"
 #include "tools/cobble/interrupt.hpp"
 #include "tools/cobble/old_spellings.hpp"
+#include "tools/cobble/usage.hpp"
 
 namespace cobble {
 namespace {
@@ -26,7 +27,7 @@ void describe(CLI::App& app) {
     app.formatter(std::make_shared<HelpFormatter>());
     app.require_subcommand(1);
     app.footer(
-        "`cobble COMMAND --help` tells more of a command. The original programs' spelling works "
+        "`cobble help COMMAND` tells more of a command. The original programs' spelling works "
         "too:\n`cobble -input FILE -output FILE -size W H ...`.\n\n"
         "Exit status: 0 done and clean; 1 findings; 2 usage, missing files, reading or writing; "
         "3 internal\nerror; 130 interrupted.");
@@ -50,6 +51,16 @@ void protect_paths(std::vector<std::string>& arguments) {
     arguments = std::move(result);
 }
 
+// `cobble help` and `cobble help COMMAND` are other words for --help.
+std::string rewrite_help(std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments.front() != "help") return {};
+    if (arguments.size() > 2) return "'" + arguments[2] + "' is one argument too many";
+    arguments.erase(arguments.begin());
+    if (!arguments.empty() && arguments.front() == "help") arguments.clear();
+    if (arguments.empty() || arguments.front() != "--help") arguments.emplace_back("--help");
+    return {};
+}
+
 // "" if the command line begins with an option or a command that there is.
 std::string wrong_command(const CLI::App& app, const std::vector<std::string>& arguments) {
     if (arguments.empty()) return "say what to do: `cobble --help` lists the commands";
@@ -65,34 +76,6 @@ std::string wrong_command(const CLI::App& app, const std::vector<std::string>& a
     std::string text = "there is no command '" + first + "'";
     if (!similar.empty()) text += "; did you mean '" + std::string(similar) + "'?";
     return text + " (`cobble --help` lists the commands)";
-}
-
-// Of a command line that does not parse: the first option that there is not comes before whatever
-// else is wrong, as that may follow from it. "" if all are known.
-std::string unknown_option(const CLI::App& app) {
-    const auto chosen = app.get_subcommands();
-    const CLI::App& command = chosen.empty() ? app : *chosen.front();
-    std::vector<std::string> names;
-    for (const CLI::Option* option : command.get_options()) {
-        // Without a group it is left out of the help too.
-        if (option->get_group().empty()) continue;
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    for (const std::string& argument : command.remaining()) {
-        if (argument.size() < 2 || !argument.starts_with('-')) continue;
-        const std::string name = argument.substr(0, argument.find('='));
-        const std::string_view similar = frontend::nearest_name(name, views);
-        return "unknown option '" + name + "'" +
-               (similar.empty() ? "" : "; did you mean '" + std::string(similar) + "'?");
-    }
-    return {};
-}
-
-// CLI11 does not name an option that is left out of the help; -blurry is the only one of them that
-// takes a value.
-std::string with_name(const std::string& message) {
-    return message.starts_with(": ") ? "-blurry" + message : message;
 }
 
 int finish(Context& context, int status) {
@@ -113,8 +96,10 @@ int run(std::vector<std::string> arguments) {
         add(app, context);
     }
     if (const std::string problem = rewrite_old_spellings(arguments); !problem.empty()) {
-        driver::complain(problem);
-        return kFailure;
+        return usage_error("render", problem);
+    }
+    if (const std::string problem = rewrite_help(arguments); !problem.empty()) {
+        return usage_error("", problem);
     }
     if (const std::string problem = wrong_command(app, arguments); !problem.empty()) {
         driver::complain(problem);
@@ -131,12 +116,9 @@ int run(std::vector<std::string> arguments) {
         context.out.write(std::string(version.what()) + "\n");
         return finish(context, kDone);
     } catch (const CLI::ParseError& error) {
-        const std::string unknown = unknown_option(app);
-        driver::complain(unknown.empty() ? with_name(error.what()) : unknown);
         const auto chosen = app.get_subcommands();
-        const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
-        driver::write_error("Try `cobble" + name + " --help`.\n");
-        return kFailure;
+        const CLI::App& command = chosen.empty() ? app : *chosen.front();
+        return usage_error(chosen.empty() ? "" : command.get_name(), usage_problem(command, error));
     }
     return finish(context, context.run());
 }

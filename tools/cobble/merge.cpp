@@ -7,6 +7,7 @@
 #include "tools/cobble/command.hpp"
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
+#include "tools/driver/shards.hpp"
 
 namespace cobble {
 namespace {
@@ -23,7 +24,7 @@ int run(const Options& options) {
         driver::complain(problem);
         return kFailure;
     }
-    driver::Merged merged = driver::merge_pictures(options.shards);
+    driver::Merged merged = driver::merge_shards(options.shards, options.output);
     // What was encoded already is written as it is.
     if (merged.problem.empty()) {
         merged.problem = driver::write_picture(options.output, merged.plane, {});

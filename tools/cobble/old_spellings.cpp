@@ -80,7 +80,7 @@ std::string rewrite_old_spellings(std::vector<std::string>& arguments) {
             continue;
         }
         if (arguments.size() - i - 1 < spelling->values) {
-            return fmt::format("{} takes {} value{}", spelling->old, spelling->values,
+            return fmt::format("'{}' wants {} value{}", spelling->old, spelling->values,
                                spelling->values == 1 ? "" : "s");
         }
         for (std::string& piece : spelling->rewrite(arguments.data() + i + 1)) {

@@ -10,6 +10,7 @@
 
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/cobble/usage.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/report/pick_report.hpp"
 
@@ -18,31 +19,29 @@ namespace {
 
 struct Options {
     ViewOptions view;
-    std::string at;
+    PixelPlace at;
+    std::string compat;
     bool tree = false;
     bool json = false;
 };
 
-std::string check_pixel(const std::string& text) {
-    std::vector<std::uint32_t> pixel;
-    if (parse_numbers(text, ',', 2, pixel)) return {};
-    return fmt::format("'{}' is no pixel X,Y", text);
-}
-
 int run(const Options& options, Context& context) {
+    if (!options.compat.empty()) {
+        return usage_error("pick",
+                           "'--compat' is for `cobble render` alone: only the rays of Cobble's own "
+                           "way can be shown");
+    }
     const View view = make_view(options.view, true);
     if (view.status != 0) return view.status;
-    std::vector<std::uint32_t> pixel;
-    parse_numbers(options.at, ',', 2, pixel);
-    if (pixel[0] >= view.settings.width || pixel[1] >= view.settings.height) {
-        driver::complain(fmt::format("--at: there is no pixel {} in a picture of {} (see --size)",
-                                     options.at, options.view.size));
-        return kFailure;
+    const auto [x, y] = options.at;
+    if (x >= view.settings.width || y >= view.settings.height) {
+        return usage_error("pick", fmt::format("there is no pixel {},{} in a picture of {}: see "
+                                               "'--size'",
+                                               x, y, to_text(options.view.size)));
     }
     const ir::Scene& scene = view.loaded.lowered.scene;
-    const renderer::PickTree tree = renderer::pick(scene, view.settings, pixel[0], pixel[1]);
-    const driver::PickReport report{tree,     scene,    view.loaded.session->sources,
-                                    pixel[0], pixel[1], options.tree};
+    const renderer::PickTree tree = renderer::pick(scene, view.settings, x, y);
+    const driver::PickReport report{tree, scene, view.loaded.session->sources, x, y, options.tree};
     context.out.write(options.json ? driver::pick_to_json(report) : driver::pick_to_text(report));
     return kDone;
 }
@@ -54,10 +53,11 @@ void add_pick(CLI::App& app, Context& context) {
     CLI::App* sub =
         app.add_subcommand("pick", "Say what made a pixel, with the lines of the scene");
     add_view_options(*sub, options->view);
-    sub->add_option("--at", options->at, "The pixel, Y from the top")
-        ->type_name("X,Y")
-        ->required()
-        ->check(check_pixel);
+    add_parsed(*sub, "--at", "X,Y", "X,Y in whole numbers, such as 320,240", parse_pixel,
+               options->at, "The pixel, Y from the top")
+        ->required();
+    // Left out of the help: said to be no option, it would look like a mistake.
+    sub->add_option("--compat", options->compat)->group("");
     sub->add_flag("--tree", options->tree, "Show the reflected and refracted rays too");
     sub->add_flag("--json", options->json, "Print JSON");
     sub->callback([options, &context] {

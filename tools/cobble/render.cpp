@@ -5,20 +5,25 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "renderer/compat/compat_renderer.hpp"
+#include "renderer/film/film.hpp"
 #include "renderer/job/render_job.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
 #include "tools/cobble/progress.hpp"
+#include "tools/cobble/usage.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
+#include "tools/driver/shards.hpp"
 #include "tools/driver/text.hpp"
 #include "tools/driver/write_file.hpp"
 
@@ -37,33 +42,37 @@ struct Options {
     ViewOptions view;
     std::string output, depth, normals, albedo, sample_count, stats;
     std::string filter = "box";
-    std::string shard;
+    std::optional<Shard> shard;
     std::uint32_t threads = 0;
     bool reference = false;
     bool quiet = false;
 };
 
-// A picture that is asked for: where it goes, and which plane of the result it is.
+// A picture that is asked for: where it goes, which plane of the result it is, and its name.
 struct Target {
     std::string path;
     renderer::Plane32 renderer::Picture::*plane;
+    std::string_view name;
 };
 
 class Render {
   public:
     explicit Render(const Options& options) : options_(options) {
-        const std::pair<const std::string*, renderer::Plane32 renderer::Picture::*> all[] = {
-            {&options.output, &renderer::Picture::color},
-            {&options.depth, &renderer::Picture::depth},
-            {&options.normals, &renderer::Picture::normals},
-            {&options.albedo, &renderer::Picture::albedo},
-            {&options.sample_count, &renderer::Picture::sample_count}};
-        for (const auto& [path, plane] : all) {
-            if (!path->empty()) targets_.push_back({*path, plane});
+        const Target all[] = {
+            {options.output, &renderer::Picture::color, "color"},
+            {options.depth, &renderer::Picture::depth, "depth"},
+            {options.normals, &renderer::Picture::normals, "normals"},
+            {options.albedo, &renderer::Picture::albedo, "albedo"},
+            {options.sample_count, &renderer::Picture::sample_count, "sample-count"}};
+        for (const Target& target : all) {
+            if (!target.path.empty()) targets_.push_back(target);
         }
     }
 
     int run() {
+        if (targets_.empty()) {
+            return usage_error("render", "there is no picture to write: say -o FILE");
+        }
         if (std::string problem = check_outputs(); !problem.empty()) {
             driver::complain(problem);
             return kFailure;
@@ -93,24 +102,20 @@ class Render {
 
     // Before anything is read: whether what comes out has a place to go.
     std::string check_outputs() {
-        if (targets_.empty()) return "there is no picture to write: say -o FILE";
         const std::vector<std::string> paths = output_paths();
         if (std::string problem = driver::check_distinct(paths, {}); !problem.empty()) {
             return problem;
         }
-        std::vector<std::uint32_t> size;
-        parse_numbers(options_.view.size, 'x', 2, size);
-        std::vector<std::uint32_t> crop;
-        if (!options_.view.crop.empty() && parse_numbers(options_.view.crop, ',', 4, crop)) {
-            for (std::size_t i = 0; i < 2; ++i) {
-                size[i] = std::min(size[i], crop[i + 2]) - std::min(size[i], crop[i]);
-            }
-        }
+        renderer::Settings settings;
+        settings.width = options_.view.size.width;
+        settings.height = options_.view.size.height;
+        settings.crop = options_.view.crop;
+        const renderer::Crop window = renderer::window_of(settings);
         for (const Target& target : targets_) {
             const bool one_channel = target.plane == &renderer::Picture::depth ||
                                      target.plane == &renderer::Picture::sample_count;
-            std::string problem =
-                driver::check_picture_path(target.path, size[0], size[1], one_channel ? 1 : 3);
+            std::string problem = driver::check_picture_path(
+                target.path, window.x1 - window.x0, window.y1 - window.y0, one_channel ? 1 : 3);
             if (!problem.empty()) return problem;
         }
         return options_.stats.empty() ? "" : driver::check_writable(options_.stats, 0);
@@ -125,14 +130,12 @@ class Render {
         if (options_.reference) settings.acceleration = renderer::Acceleration::kBvh;
         if (options_.filter == "tent") settings.filter = renderer::PixelFilter::kTent;
         if (options_.filter == "gaussian") settings.filter = renderer::PixelFilter::kGaussian;
-        if (!options_.shard.empty()) {
-            std::vector<std::uint32_t> shard;
-            parse_numbers(options_.shard, '/', 2, shard);
-            settings.shard_index = shard[0] - 1;
-            settings.shard_count = shard[1];
+        if (options_.shard) {
+            settings.shard_index = options_.shard->index - 1;
+            settings.shard_count = options_.shard->count;
             // Each part would find a range of its own.
-            if (shard[1] > 1 && options_.view.depth_range.empty() && !options_.depth.empty() &&
-                driver::keeps_bytes(options_.depth)) {
+            if (options_.shard->count > 1 && !options_.view.depth_range &&
+                !options_.depth.empty() && driver::keeps_bytes(options_.depth)) {
                 return "--shard: distances as grey need a --depth-range that all parts share";
             }
         }
@@ -140,13 +143,10 @@ class Render {
         settings.want_normals = !options_.normals.empty();
         settings.want_albedo = !options_.albedo.empty();
         // A shard must know which pixels are not its own.
-        settings.want_sample_count = !options_.sample_count.empty() || settings.shard_count > 1;
-        if (!options_.view.depth_range.empty()) {
-            std::vector<double> range;
-            parse_numbers(options_.view.depth_range, ',', 2, range);
-            depth_range_ = {range[0], range[1]};
-            settings.compat.depth_min = range[0];
-            settings.compat.depth_max = range[1];
+        settings.want_sample_count = !options_.sample_count.empty() || options_.shard.has_value();
+        if (options_.view.depth_range) {
+            settings.compat.depth_min = options_.view.depth_range->min;
+            settings.compat.depth_max = options_.view.depth_range->max;
         }
         return check_memory();
     }
@@ -159,7 +159,7 @@ class Render {
                             static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
         if (needed <= memory || view_.settings.crop) return {};
         return fmt::format("a picture of {} pixels takes {} GiB of memory, and this machine has {}",
-                           options_.view.size, needed >> 30U, memory >> 30U);
+                           to_text(options_.view.size), needed >> 30U, memory >> 30U);
     }
 
     int render() {
@@ -234,10 +234,8 @@ class Render {
             driver::Positions positions(view_.loaded.session->sources);
             const ir::Scene& scene = view_.loaded.lowered.scene;
             const auto notes = driver::without_checked(stats.notes, scene);
-            const bool wide = view_.compat != ir::Compat::kNone ||
-                              view_.settings.precision == renderer::Precision::kDouble;
-            driver::write_error(
-                driver::notes_to_text(notes, scene, positions, wide ? "double" : "float"));
+            driver::write_error(driver::notes_to_text(notes, scene, positions,
+                                                      driver::prepared_in(scene, view_.settings)));
         }
         if (options_.stats.empty()) return status;
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -250,6 +248,18 @@ class Render {
         return status;
     }
 
+    [[nodiscard]] std::optional<std::pair<double, double>> depth_range() const {
+        if (!options_.view.depth_range) return std::nullopt;
+        return std::pair(options_.view.depth_range->min, options_.view.depth_range->max);
+    }
+
+    // As many as each pixel is to take; a published program takes what its flags say.
+    [[nodiscard]] std::uint32_t samples() const {
+        return view_.compat == ir::Compat::kNone
+                   ? view_.settings.samples
+                   : renderer::compat_samples_per_pixel(view_.loaded.lowered.scene, view_.settings);
+    }
+
     [[nodiscard]] std::string write_target(const Target& target,
                                            const renderer::Picture& picture) const {
         renderer::Plane32 plane = picture.*target.plane;
@@ -260,15 +270,18 @@ class Render {
             view_.encode_srgb && (color || target.plane == &renderer::Picture::albedo);
         if (driver::keeps_bytes(target.path)) {
             if (target.plane == &renderer::Picture::depth) {
-                plane = driver::depth_as_grey(plane, view_.compat, depth_range_);
+                plane = driver::depth_as_grey(plane, view_.compat, depth_range());
             } else if (target.plane == &renderer::Picture::normals) {
                 plane = driver::normals_as_color(plane, view_.compat);
             } else if (target.plane == &renderer::Picture::sample_count) {
-                plane = driver::counts_as_grey(plane);
+                plane = driver::counts_as_grey(plane, samples());
             }
         }
-        if (view_.settings.shard_count > 1) {
+        if (options_.shard.has_value()) {
             driver::blacken_unreached(plane, picture.sample_count);
+            encode.comment = driver::to_text(
+                driver::shard_note(view_.loaded.lowered.scene, view_.settings, target.name,
+                                   options_.view.transfer, picture.complete));
         }
         return driver::write_picture(target.path, plane, encode);
     }
@@ -276,27 +289,7 @@ class Render {
     const Options& options_;
     std::vector<Target> targets_;
     View view_;
-    std::optional<std::pair<double, double>> depth_range_;
 };
-
-std::string check_crop(const std::string& text) {
-    std::vector<std::uint32_t> crop;
-    const bool good = parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
-    return good ? std::string()
-                : fmt::format("'{}' is no rectangle X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1", text);
-}
-
-std::string check_range(const std::string& text) {
-    std::vector<double> range;
-    const bool good = parse_numbers(text, ',', 2, range) && range[0] < range[1];
-    return good ? std::string() : fmt::format("'{}' is no range MIN,MAX with MIN below MAX", text);
-}
-
-std::string check_shard(const std::string& text) {
-    std::vector<std::uint32_t> shard;
-    const bool good = parse_numbers(text, '/', 2, shard) && shard[0] >= 1 && shard[0] <= shard[1];
-    return good ? std::string() : fmt::format("'{}' is no shard I/N with 1 <= I <= N", text);
-}
 
 void add_outputs(CLI::App& sub, Options& options) {
     const std::string group = "Pictures (.png .pfm .hdr .exr .bmp .tga)";
@@ -308,11 +301,11 @@ void add_outputs(CLI::App& sub, Options& options) {
     add("--depth", options.depth, "Distances from the camera; grey in 8-bit formats");
     add("--normals", options.normals, "Shading normals");
     add("--albedo", options.albedo, "Colours of the surfaces before lighting");
-    add("--sample-count", options.sample_count, "Samples that each pixel took");
-    sub.add_option("--depth-range", options.view.depth_range,
-                   "Distances that are white and black in 8-bit formats (default: those there are)")
-        ->type_name("MIN,MAX")
-        ->check(check_range)
+    add("--sample-count", options.sample_count,
+        "Samples that each pixel took; white is all of them in 8-bit formats");
+    add_parsed(sub, "--depth-range", "MIN,MAX", "MIN,MAX with MIN below MAX, such as 2,10",
+               parse_depth_range, options.view.depth_range,
+               "Distances that are white and black in 8-bit formats (default: those there are)")
         ->group(group);
 }
 
@@ -323,9 +316,10 @@ void add_render(CLI::App& app, Context& context) {
     CLI::App* sub = app.add_subcommand("render", "Render a scene to a picture");
     add_view_options(*sub, options->view);
     add_outputs(*sub, *options);
-    sub->add_option("--crop", options->view.crop, "Render these pixels only, Y from the top")
-        ->type_name("X0,Y0,X1,Y1")
-        ->check(check_crop);
+    add_compat_options(*sub, options->view);
+    add_parsed(*sub, "--crop", "X0,Y0,X1,Y1",
+               "X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1, such as 0,0,320,240", parse_crop,
+               options->view.crop, "Render these pixels only, Y from the top");
     add_choice(*sub, "--filter", options->filter, {"box", "tent", "gaussian"},
                "Pixel filter: box, tent or gaussian");
     require_whole(sub->add_option("--threads", options->threads, "Workers; 0 is one a processor"),
@@ -334,10 +328,8 @@ void add_render(CLI::App& app, Context& context) {
         ->capture_default_str();
     sub->add_flag("--reference", options->reference,
                   "One ray at a time on a plain tree: slow, and the same picture");
-    sub->add_option("--shard", options->shard,
-                    "Render part I of N, from 1; `cobble merge` joins the parts")
-        ->type_name("I/N")
-        ->check(check_shard);
+    add_parsed(*sub, "--shard", "I/N", "I/N with 1 <= I <= N, such as 1/4", parse_shard,
+               options->shard, "Render part I of N, from 1; `cobble merge` joins the parts");
     sub->add_option("--stats", options->stats,
                     "Write times, rays by kind and memory to this file as JSON")
         ->type_name("FILE");

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/report/stability_report.hpp"
@@ -44,9 +45,10 @@ void add_stability(CLI::App& app, Context& context) {
     sub->add_option("SCENE", options->view.scene, "The scene file, or - for standard input")
         ->required();
     add_size_option(*sub, options->view);
-    sub->add_option("--rays", options->rays, "Rays in all; no object gets more than a hundredth")
+    require_whole(sub->add_option("--rays", options->rays,
+                                  "Rays in all; no object gets more than a hundredth"),
+                  1, kMostRays)
         ->type_name("N")
-        ->check(CLI::Range(std::uint64_t{1}, kMostRays).description(""))
         ->capture_default_str();
     sub->add_flag("--json", options->json, "Print JSON");
     sub->add_flag("--keep-going", options->view.keep_going,

@@ -18,27 +18,10 @@
 namespace cobble {
 namespace {
 
-// The largest side that every format we write can name (TGA has 16 bits).
-constexpr std::uint32_t kMaxSide = 65535;
 // A million samples a pixel are more than any scene's noise asks for.
 constexpr std::uint32_t kMaxSamples = 1U << 20U;
 // Nothing is left to see after so many mirrors.
 constexpr std::uint32_t kMaxBounces = 1000;
-
-bool parse_size(std::string_view text, std::vector<std::uint32_t>& size) {
-    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= kMaxSide; };
-    return parse_numbers(text, 'x', 2, size) && fits(size[0]) && fits(size[1]);
-}
-
-bool parse_crop(std::string_view text, std::vector<std::uint32_t>& crop) {
-    return parse_numbers(text, ',', 4, crop) && crop[0] < crop[2] && crop[1] < crop[3];
-}
-
-std::string check_size(const std::string& text) {
-    std::vector<std::uint32_t> size;
-    if (parse_size(text, size)) return {};
-    return fmt::format("'{}' is no size WxH of 1 to {} pixels a side", text, kMaxSide);
-}
 
 ir::Compat compat_of(std::string_view name) {
     if (name == "a4") return ir::Compat::kA4;
@@ -46,17 +29,6 @@ ir::Compat compat_of(std::string_view name) {
     if (name == "fa2016") return ir::Compat::kFa2016;
     if (name == "project") return ir::Compat::kProject;
     return ir::Compat::kNone;
-}
-
-void add_original_options(CLI::App& sub, ViewOptions& options) {
-    // Without a group an option is left out of the help: these are spelled with one dash there.
-    const std::string hidden;
-    sub.add_flag("--original-shadows", options.original_shadows)->group(hidden);
-    sub.add_flag("--original-jitter", options.original_jitter)->group(hidden);
-    sub.add_flag("--original-filter", options.original_filter)->group(hidden);
-    sub.add_flag("--original-casting", options.original_casting)->group(hidden);
-    sub.add_flag("--original-pixelated", options.original_pixelated)->group(hidden);
-    require_number(sub.add_option("--original-blurry", options.original_blurry), 0)->group(hidden);
 }
 
 ir::Effects choose_effects(const ir::Scene& scene, const ViewOptions& options, ir::Compat compat) {
@@ -106,11 +78,23 @@ std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
 }  // namespace
 
 void add_size_option(CLI::App& sub, ViewOptions& options) {
-    sub.add_option("--size", options.size, "Size of the picture in pixels")
-        ->type_name("WxH")
-        ->check(check_size)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->capture_default_str();
+    add_parsed(sub, "--size", "WxH",
+               fmt::format("WxH of 1 to {} pixels a side, such as 640x480", kMaxSide), parse_size,
+               options.size, "Size of the picture in pixels")
+        ->default_str(to_text(options.size));
+}
+
+void add_compat_options(CLI::App& sub, ViewOptions& options) {
+    add_choice(sub, "--compat", options.compat, {"a4", "a5", "fa2016", "project"},
+               "Render as a published program did: a4, a5, fa2016 or project");
+    // Without a group an option is left out of the help: these are spelled with one dash there.
+    const std::string hidden;
+    sub.add_flag("--original-shadows", options.original_shadows)->group(hidden);
+    sub.add_flag("--original-jitter", options.original_jitter)->group(hidden);
+    sub.add_flag("--original-filter", options.original_filter)->group(hidden);
+    sub.add_flag("--original-casting", options.original_casting)->group(hidden);
+    sub.add_flag("--original-pixelated", options.original_pixelated)->group(hidden);
+    require_number(sub.add_option("--original-blurry", options.original_blurry), 0)->group(hidden);
 }
 
 void add_view_options(CLI::App& sub, ViewOptions& options) {
@@ -142,8 +126,6 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
                                  "What is in focus is this far away"),
                   0)
         ->type_name("D");
-    add_choice(sub, "--compat", options.compat, {"a4", "a5", "fa2016", "project"},
-               "Render as a published program did: a4, a5, fa2016 or project");
     sub.add_flag("--keep-going", options.keep_going,
                  "Render a scene with errors: what is broken is left out or shown in magenta");
     sub.add_option("--stdin-filepath", options.stdin_path,
@@ -153,9 +135,9 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
         const auto effect = static_cast<ir::Effect>(i);
         const std::string flags = fmt::format("--{0},!--no-{0}", ir::name_of(effect));
         sub.add_flag(flags, options.effects[i], std::string(ir::description_of(effect)))
+            ->disable_flag_override()
             ->group("Effects (each is on where the scene calls for it)");
     }
-    add_original_options(sub, options);
 }
 
 void report_to_error(const driver::LoadedScene& loaded, bool errors_only) {
@@ -205,14 +187,10 @@ View make_view(const ViewOptions& options, bool quiet) {
         give_up(kFailure, problem);
         return view;
     }
-    std::vector<std::uint32_t> numbers;
-    parse_size(options.size, numbers);
     renderer::Settings& settings = view.settings;
-    settings.width = numbers[0];
-    settings.height = numbers[1];
-    if (!options.crop.empty() && parse_crop(options.crop, numbers)) {
-        settings.crop = {numbers[0], numbers[1], numbers[2], numbers[3]};
-    }
+    settings.width = options.size.width;
+    settings.height = options.size.height;
+    settings.crop = options.crop;
     settings.samples = options.samples;
     settings.bounces = options.bounces;
     settings.seed = options.seed;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The options that say what picture a scene makes: those of `render` that `pick` shares.
+// The options that say what picture a scene makes: those of `render`, of which `pick` shares most.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "ir/scene/effects.hpp"
 #include "ir/scene/scene.hpp"
 #include "renderer/settings.hpp"
+#include "tools/cobble/option_values.hpp"
 #include "tools/driver/load.hpp"
 
 namespace CLI {
@@ -20,13 +22,13 @@ namespace cobble {
 struct ViewOptions {
     std::string scene;
     std::string stdin_path;
-    std::string size = "640x480";
-    std::string crop;
+    Size size;
+    std::optional<renderer::Crop> crop;
     std::string compat;
     std::string transfer = "none";
     std::string precision = "float";
     std::string texture_filter;
-    std::string depth_range;
+    std::optional<DepthRange> depth_range;
     std::uint32_t samples = 16;
     std::uint32_t bounces = 4;
     std::uint64_t seed = 0;
@@ -43,6 +45,9 @@ struct ViewOptions {
 };
 
 void add_view_options(CLI::App& sub, ViewOptions& options);
+
+/// --compat and what the original programs' spellings become.
+void add_compat_options(CLI::App& sub, ViewOptions& options);
 
 /// --size alone, for commands that look at a scene and make no picture.
 void add_size_option(CLI::App& sub, ViewOptions& options);

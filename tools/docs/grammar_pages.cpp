@@ -5,6 +5,7 @@
 
 #include "tools/docs/from_pegtl.hpp"
 #include "tools/docs/pages.hpp"
+#include "tools/docs/value_words.hpp"
 
 namespace cobble::docs {
 
@@ -73,39 +74,6 @@ Expression show_character(char c) {
 
 namespace {
 
-using grammar::ValueType;
-
-/// The rule for values of a type.
-std::string value_rule(ValueType type) {
-    switch (type) {
-        case ValueType::kNumber:
-            return "number";
-        case ValueType::kInteger:
-            return "integer";
-        case ValueType::kCount:
-            return "count";
-        case ValueType::kVector2:
-            return "vector2";
-        case ValueType::kVector3:
-            return "vector3";
-        case ValueType::kColor:
-            return "rgb";
-        case ValueType::kNumbers4:
-            return "numbers4";
-        case ValueType::kNumbers16:
-            return "numbers16";
-        case ValueType::kImagePath:
-        case ValueType::kFolderPath:
-        case ValueType::kMeshPath:
-            return "path";
-        case ValueType::kMaterialRef:
-            return "material";
-        case ValueType::kTextureFilter:
-            return "filter";
-    }
-    return {};
-}
-
 Expression children_of(grammar::BlockMask parent) {
     std::vector<Expression> names;
     for (const grammar::BlockRow& row : grammar::blocks()) {
@@ -119,18 +87,18 @@ Expression block_body(const grammar::BlockRow& row) {
     const auto fields = grammar::fields_of(row.id);
     std::vector<Expression> parts{text(std::string(row.name))};
     if (row.layout == Layout::kInline) {
-        parts.push_back(rule(value_rule(fields[0].type)));
+        parts.push_back(rule(value_words(fields[0].type).rule));
         return compound(Form::kSequence, std::move(parts));
     }
     if (row.labelled) parts.push_back(compound(Form::kOptional, {rule("label")}));
     parts.push_back(text("{"));
     if (row.layout == Layout::kPositional) {
-        parts.push_back(rule(value_rule(fields[0].type)));
+        parts.push_back(rule(value_words(fields[0].type).rule));
     } else {
         std::vector<Expression> members;
         for (const grammar::FieldRow& field : fields) {
-            members.push_back(compound(
-                Form::kSequence, {text(std::string(field.name)), rule(value_rule(field.type))}));
+            members.push_back(compound(Form::kSequence, {text(std::string(field.name)),
+                                                         rule(value_words(field.type).rule)}));
         }
         Expression children = children_of(grammar::mask_of(row.id));
         if (children.form == Form::kRule) {

@@ -5,43 +5,10 @@
 #include <iterator>
 
 #include "tools/docs/pages.hpp"
+#include "tools/docs/value_words.hpp"
 
 namespace cobble::docs {
 namespace {
-
-using grammar::ValueType;
-
-std::string_view type_words(ValueType type) {
-    switch (type) {
-        case ValueType::kNumber:
-            return "number";
-        case ValueType::kInteger:
-            return "integer";
-        case ValueType::kCount:
-            return "number of members";
-        case ValueType::kVector2:
-            return "2 numbers";
-        case ValueType::kVector3:
-            return "3 numbers";
-        case ValueType::kColor:
-            return "colour";
-        case ValueType::kNumbers4:
-            return "4 numbers";
-        case ValueType::kNumbers16:
-            return "16 numbers";
-        case ValueType::kImagePath:
-            return "path of a picture";
-        case ValueType::kFolderPath:
-            return "path of a folder";
-        case ValueType::kMeshPath:
-            return "path of a mesh";
-        case ValueType::kMaterialRef:
-            return "number or label of a material";
-        case ValueType::kTextureFilter:
-            return "`nearest` or `bilinear`";
-    }
-    return {};
-}
 
 std::string range_words(const grammar::Range& range) {
     const bool low = std::isfinite(range.low);
@@ -118,8 +85,8 @@ void add_fields(std::string& page, const grammar::BlockRow& row) {
             field.fallback.empty() ? "" : fmt::format("`{}`", field.fallback);
         if (named) fmt::format_to(std::back_inserter(page), "| `{}` ", field.name);
         fmt::format_to(std::back_inserter(page), "| {} | {} | {} | {} | {} | {} |\n",
-                       type_words(field.type), field.unit, range_words(field.range), fallback,
-                       needed_words(field), field.doc);
+                       value_words(field.type).words, field.unit, range_words(field.range),
+                       fallback, needed_words(field), field.doc);
     }
     page += "\n";
 }

@@ -60,8 +60,11 @@ void prepare_streams() {
 
 void write_error(std::string_view text) { write_all(STDERR_FILENO, text); }
 
-void complain(std::string_view message) {
-    std::string line = "cobble: ";
+void complain(std::string_view message, std::string_view command) {
+    std::string line = "cobble";
+    if (!command.empty()) line += ' ';
+    line += command;
+    line += ": ";
     // Paths come from anywhere, and so does what stands in them.
     line += printable(message);
     line += '\n';

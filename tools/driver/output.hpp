@@ -38,8 +38,9 @@ int write_all(int descriptor, std::string_view bytes);
 /// and a limit on file sizes are then errors of writing.
 void prepare_streams();
 
-/// Writes "cobble: MESSAGE" and a line end to standard error, control characters made visible.
-void complain(std::string_view message);
+/// Writes "cobble: MESSAGE" or "cobble COMMAND: MESSAGE" and a line end to standard error, control
+/// characters made visible.
+void complain(std::string_view message, std::string_view command = {});
 
 /// Writes to standard error as it is.
 void write_error(std::string_view text);

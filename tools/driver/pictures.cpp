@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "renderer/compat/pictures.hpp"
+#include "renderer/picture/comment.hpp"
 #include "tools/driver/disk_file_source.hpp"
 #include "tools/driver/write_file.hpp"
 
@@ -20,15 +21,6 @@ constexpr std::uint64_t kMaxPictureFile = std::uint64_t{8} << 30U;
 std::string unknown_ending(const std::string& path) {
     return fmt::format(
         "cannot write {}: its ending is none of .png, .pfm, .hdr, .exr, .bmp and .tga", path);
-}
-
-renderer::Plane32 like(const renderer::Plane32& plane) {
-    renderer::Plane32 result;
-    result.width = plane.width;
-    result.height = plane.height;
-    result.channels = plane.channels;
-    result.values.resize(plane.values.size());
-    return result;
 }
 
 }  // namespace
@@ -48,6 +40,7 @@ ReadPicture read_picture(const std::string& path) {
     }
     result.plane = std::move(decoded.plane);
     result.eight_bit = decoded.eight_bit;
+    result.comment = renderer::comment_of(file.bytes);
     return result;
 }
 
@@ -64,7 +57,7 @@ std::string check_picture_path(const std::string& path, std::uint32_t width, std
                                std::uint32_t channels) {
     const auto format = renderer::picture_format(path);
     if (!format) return unknown_ending(path);
-    const std::string problem = renderer::problem_of_size(width, height, channels);
+    const std::string problem = renderer::problem_of_size(width, height);
     if (!problem.empty()) return fmt::format("cannot write {}: {}", path, problem);
     const std::uint64_t pixels = std::uint64_t{width} * height;
     // The sizes of the formats without compression are known beforehand.
@@ -108,11 +101,9 @@ renderer::Plane32 normals_as_color(const renderer::Plane32& normals, ir::Compat 
     return renderer::compat_normals_picture(normals, own ? ir::Compat::kFa2016 : compat);
 }
 
-renderer::Plane32 counts_as_grey(const renderer::Plane32& counts) {
-    renderer::Plane32 grey = like(counts);
-    float most = 1;
-    for (const float count : counts.values) most = std::max(most, count);
-    for (std::size_t i = 0; i < grey.values.size(); ++i) grey.values[i] = counts.values[i] / most;
+renderer::Plane32 counts_as_grey(const renderer::Plane32& counts, std::uint32_t samples) {
+    renderer::Plane32 grey = counts;
+    for (float& count : grey.values) count /= static_cast<float>(samples);
     return grey;
 }
 
@@ -121,44 +112,6 @@ void blacken_unreached(renderer::Plane32& plane, const renderer::Plane32& sample
         if (sample_count.values[i] != 0) continue;
         for (std::uint32_t c = 0; c < plane.channels; ++c) plane.values[i * plane.channels + c] = 0;
     }
-}
-
-Merged merge_pictures(const std::vector<std::string>& paths) {
-    Merged merged;
-    std::vector<std::size_t> owner;  // of each pixel: index of a path, from 1
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        ReadPicture shard = read_picture(paths[k]);
-        if (!shard.problem.empty()) {
-            merged.problem = shard.problem;
-            return merged;
-        }
-        if (k == 0) {
-            merged.plane = like(shard.plane);
-            merged.eight_bit = shard.eight_bit;
-            owner.resize(std::size_t{shard.plane.width} * shard.plane.height);
-        }
-        if (shard.plane.width != merged.plane.width || shard.plane.height != merged.plane.height ||
-            shard.plane.channels != merged.plane.channels || shard.eight_bit != merged.eight_bit) {
-            merged.problem =
-                fmt::format("{} and {} differ in size or kind: they are not shards of one render",
-                            paths[0], paths[k]);
-            return merged;
-        }
-        for (std::size_t i = 0; i < owner.size(); ++i) {
-            const std::uint32_t channels = shard.plane.channels;
-            const float* pixel = shard.plane.values.data() + i * channels;
-            if (std::all_of(pixel, pixel + channels, [](float v) { return v == 0; })) continue;
-            if (owner[i] != 0) {
-                merged.problem = fmt::format(
-                    "{} and {} both hold the pixel {},{}: they are not two shards of one render",
-                    paths[owner[i] - 1], paths[k], i % merged.plane.width, i / merged.plane.width);
-                return merged;
-            }
-            owner[i] = k + 1;
-            std::copy(pixel, pixel + channels, merged.plane.values.data() + i * channels);
-        }
-    }
-    return merged;
 }
 
 }  // namespace cobble::driver

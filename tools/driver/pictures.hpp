@@ -17,6 +17,7 @@ namespace cobble::driver {
 struct ReadPicture {
     renderer::Plane32 plane;
     bool eight_bit = false;
+    std::string comment;  ///< that the file carries; may be any text
     std::string problem;  ///< "cannot read PATH: REASON"; empty if it was read
 };
 
@@ -44,19 +45,11 @@ renderer::Plane32 depth_as_grey(const renderer::Plane32& depth, ir::Compat compa
 /// the published programs of 2012, and those after them.
 renderer::Plane32 normals_as_color(const renderer::Plane32& normals, ir::Compat compat);
 
-/// Counts as grey: the largest is white.
-renderer::Plane32 counts_as_grey(const renderer::Plane32& counts);
+/// Counts as grey: `samples`, as many as a pixel was to take, are white. So grey means the same in
+/// all parts of a picture.
+renderer::Plane32 counts_as_grey(const renderer::Plane32& counts, std::uint32_t samples);
 
-/// Makes black every pixel of `plane` that was not reached, as `merge` needs of a shard.
+/// Makes black every pixel of `plane` that was not reached.
 void blacken_unreached(renderer::Plane32& plane, const renderer::Plane32& sample_count);
-
-struct Merged {
-    renderer::Plane32 plane;
-    bool eight_bit = false;
-    std::string problem;  ///< empty if the shards fit together
-};
-
-/// Joins the shards of one render: each pixel from the one picture in which it is not black.
-Merged merge_pictures(const std::vector<std::string>& paths);
 
 }  // namespace cobble::driver

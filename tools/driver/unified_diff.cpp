@@ -211,6 +211,24 @@ std::string range(std::size_t first, std::size_t count) {
     return fmt::format("{},{}", count == 0 ? first : first + 1, count);
 }
 
+// A name as `patch` and `git apply` read it: in quotes, as in C, if it holds control characters,
+// quotes or backslashes; with a tab behind it if blanks would end it.
+std::string file_name(std::string_view name) {
+    std::string escaped;
+    for (const char c : name) {
+        if (c == '"' || c == '\\') {
+            escaped += '\\';
+            escaped += c;
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            escaped += fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+        } else {
+            escaped += c;
+        }
+    }
+    if (escaped != name) return '"' + escaped + '"';
+    return escaped.find(' ') == std::string::npos ? escaped : escaped + '\t';
+}
+
 }  // namespace
 
 std::string unified_diff(std::string_view before, std::string_view after,
@@ -218,8 +236,8 @@ std::string unified_diff(std::string_view before, std::string_view after,
                          const DiffStyle& style) {
     if (before == after) return {};
     const std::vector<Step> steps = script(split(before), split(after));
-    std::string text = paint(style, "1", fmt::format("--- {}\n", before_name)) +
-                       paint(style, "1", fmt::format("+++ {}\n", after_name));
+    std::string text = paint(style, "1", fmt::format("--- {}\n", file_name(before_name))) +
+                       paint(style, "1", fmt::format("+++ {}\n", file_name(after_name)));
     std::size_t line_a = 0;
     std::size_t line_b = 0;
     for (std::size_t i = 0; i < steps.size();) {

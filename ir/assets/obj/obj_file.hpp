@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Wavefront OBJ text as flat arrays. Input: the bytes of one file. Output: vertices, faces cut into
 // triangles, and what is wrong, each with its bytes. Invariant: never fails; every index of every
-// face that is kept is in range, every number is finite.
+// face that is kept is in range, every number is finite, in single precision too.
 //
 // Read: `v` (3 numbers; a weight and a colour after them are ignored), `vt` (1 to 3 numbers; the
 // third is ignored), `vn`, `f` with corners a, a/t, a//n, a/t/n, negative indices (counted back
 // from the last vertex so far), polygons (cut into a fan around their first corner), comments,
 // lines continued by a backslash, LF, CRLF and CR line ends, a last line without a line end.
-// Every other keyword of the format is passed over.
+// Every other keyword of the format is passed over in silence, a word that is none with a remark.
 #pragma once
 
 #include <cstdint>
@@ -36,10 +36,15 @@ struct ObjFile {
     std::vector<std::uint32_t> face_offsets;  ///< byte where the line of each face begins
     std::vector<ObjProblem> problems;         ///< the first kMaxObjProblems, in order of bytes
     std::uint64_t problem_count = 0;          ///< all of them
+    /// Lines that begin with no keyword of the format: the first one of each word, and of
+    /// kMaxObjRemarks words at most. They leave the mesh as it is. Empty under kPublished.
+    std::vector<ObjProblem> remarks;
 };
 
 /// More than these are counted, not listed: one cause tends to break every line of a file.
 inline constexpr std::size_t kMaxObjProblems = 20;
+/// A file that begins its lines with more unknown words than these is no mesh.
+inline constexpr std::size_t kMaxObjRemarks = 5;
 
 /// How the file is understood.
 enum class ObjRules : std::uint8_t {

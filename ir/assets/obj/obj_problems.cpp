@@ -2,6 +2,7 @@
 #include "ir/assets/obj/obj_problems.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace cobble::ir {
@@ -13,8 +14,10 @@ const DiagnosticCode kObjNumber{
     "asset-mesh-number",
     Severity::kError,
     "a number in a mesh file is malformed",
-    "Coordinates are decimal numbers such as `-0.5` or `1e-3`, and finite. A vertex with anything "
-    "else has no place, so the faces that use it are left out.",
+    "Coordinates are decimal numbers such as `-0.5` or `1e-3`, within what single precision holds "
+    "(3.4e38 in either direction). A vertex with anything else, `nan` and `inf` included, has no "
+    "place, and a texture coordinate no point of the picture, so the faces that use it are left "
+    "out.",
     "v 0 1.2.3 0",
     "Write a decimal number, or export the mesh again."};
 
@@ -53,6 +56,31 @@ const DiagnosticCode kObjTooManyFaces{
     "limit so that a broken or hostile file cannot exhaust the machine. The mesh is left out.",
     "f 1 2 3   (for the 268435457th time)",
     "Reduce the mesh, or split it into several files."};
+
+const DiagnosticCode kObjKeyword{
+    "asset-mesh-keyword",
+    Severity::kWarning,
+    "a line of a mesh file begins with no keyword of the format",
+    "Lines of an OBJ file begin with `v`, `vt`, `vn`, `f` or another keyword of the format. What "
+    "the format knows and a picture does not need, such as `g`, `usemtl` or `l`, is passed over "
+    "in silence; a word that it does not know may be a slip, and the line is not read. Each word "
+    "is reported once.",
+    "V 0 0 0",
+    "Write the keyword in small letters as the format has it, put a `#` before a remark, or check "
+    "that the file is an OBJ file."};
+
+bool is_obj_keyword(std::string_view word) {
+    // "Object Files (.obj)", Wavefront Advanced Visualizer manual, appendix B1, with those
+    // that it calls superseded.
+    static constexpr std::string_view kKeywords[] = {
+        "v",        "vt",       "vn",   "vp",         "f",         "p",      "l",      "g",
+        "o",        "s",        "mg",   "usemtl",     "mtllib",    "usemap", "maplib", "bevel",
+        "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",  "stech",  "cstype",
+        "deg",      "bmat",     "step", "curv",       "curv2",     "surf",   "parm",   "trim",
+        "hole",     "scrv",     "sp",   "end",        "con",       "call",   "csh",    "bzp",
+        "bsp",      "cdc",      "cdp",  "res",        "fo"};
+    return std::ranges::find(kKeywords, word) != std::end(kKeywords);
+}
 
 void add_problem(ObjFile& file, const DiagnosticCode& code, std::size_t begin, std::size_t end,
                  std::string message) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "ir/assets/obj/obj_file.hpp"
 
@@ -14,6 +15,10 @@ extern const source::DiagnosticCode kObjStatement;
 extern const source::DiagnosticCode kObjFace;
 extern const source::DiagnosticCode kObjIndex;
 extern const source::DiagnosticCode kObjTooManyFaces;
+extern const source::DiagnosticCode kObjKeyword;
+
+/// True for every word that a line of an OBJ file may begin with, whether we read it or not.
+bool is_obj_keyword(std::string_view word);
 
 /// Counts a problem of `file` and lists it if there is room.
 void add_problem(ObjFile& file, const source::DiagnosticCode& code, std::size_t begin,

@@ -29,7 +29,7 @@ class LineStream {
         skip();
         double value = 0;
         const char* const stop = failed_ ? nullptr : scan_number(p_, value);
-        if (stop == nullptr || !std::isfinite(value)) {
+        if (stop == nullptr || !fits_single(value)) {
             failed_ = true;
             return 0;
         }

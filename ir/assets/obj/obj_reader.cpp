@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "ir/assets/obj/obj_file.hpp"
@@ -25,7 +26,10 @@ class Reader {
 
     ObjFile read() {
         reserve();
-        for (const char* p = begin_; p < end_ && !stopped_;) p = statement(p);
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        const bool marked = std::string_view(begin_, end_).starts_with(kByteOrderMark);
+        const char* p = marked ? begin_ + kByteOrderMark.size() : begin_;
+        while (p < end_ && !stopped_) p = statement(p);
         if (max_position_ >= static_cast<std::int64_t>(file_.positions.size()) ||
             max_uv_ >= static_cast<std::int64_t>(file_.uvs.size()) ||
             max_normal_ >= static_cast<std::int64_t>(file_.normals.size()) ||
@@ -87,6 +91,17 @@ class Reader {
         return static_cast<std::size_t>(p - begin_);
     }
 
+    /// A word for a message: cut short, and with '?' for bytes that are not printable ASCII.
+    static std::string shortened(const char* from, const char* to) {
+        constexpr std::ptrdiff_t kLongest = 40;
+        std::string text(from, std::min(to, from + kLongest));
+        for (char& c : text) {
+            if (c < ' ' || c > '~') c = '?';
+        }
+        if (to - from > kLongest) text += "...";
+        return text;
+    }
+
     void report(const source::DiagnosticCode& code, const char* from, const char* to,
                 std::string message) {
         add_problem(file_, code, at(from), at(std::max(from, to)), std::move(message));
@@ -120,7 +135,22 @@ class Reader {
         } else if (*p == 'f' && ends_word(p + 1)) {
             return face(p);
         }
+        if (!at_line_end(p)) check_keyword(p);
         return finish_line(p);
+    }
+
+    void check_keyword(const char* p) {
+        const char* stop = p + 1;  // a lone backslash is a word too
+        while (!ends_word(stop)) ++stop;
+        const std::string_view word(p, static_cast<std::size_t>(stop - p));
+        if (file_.remarks.size() == kMaxObjRemarks || is_obj_keyword(word)) return;
+        const auto same = [&](const ObjProblem& remark) {
+            return word == std::string_view(begin_ + remark.begin, begin_ + remark.end);
+        };
+        if (std::ranges::any_of(file_.remarks, same)) return;
+        file_.remarks.push_back(
+            {&kObjKeyword, static_cast<std::uint32_t>(at(p)), static_cast<std::uint32_t>(at(stop)),
+             "unknown keyword '" + shortened(p, stop) + "', the line is not read"});
     }
 
     /// Reads numbers up to the end of the line: `count` of them at most into `values`. Gives how
@@ -135,7 +165,7 @@ class Reader {
             const char* const stop = scan_number(p, value);
             const bool whole = stop != nullptr && (is_blank(*stop) || *stop == '\n' ||
                                                    *stop == '\r' || *stop == '\\' || stop >= end_);
-            if (!whole || !std::isfinite(value)) [[unlikely]] {
+            if (!whole || !fits_single(value)) [[unlikely]] {
                 bad_number(p, whole);
                 return -1;
             }
@@ -147,8 +177,7 @@ class Reader {
 
     void bad_number(const char* p, bool too_large) {
         const char* const stop = word_end(p);
-        std::string text(p, stop);
-        if (text.size() > 40) text.replace(37, std::string::npos, "...");
+        const std::string text = shortened(p, stop);
         report(
             kObjNumber, p, stop,
             too_large ? "number '" + text + "' is too large" : "malformed number '" + text + "'");
@@ -254,9 +283,7 @@ class Reader {
         if (q == nullptr || !(is_blank(*q) || *q == '\n' || *q == '\r' || *q == '\\' || *q == '#' ||
                               q >= end_)) [[unlikely]] {
             p = word_end(p);
-            std::string text(from, p);
-            if (text.size() > 40) text.replace(37, std::string::npos, "...");
-            report(kObjFace, from, p, "malformed face corner '" + text + "'");
+            report(kObjFace, from, p, "malformed face corner '" + shortened(from, p) + "'");
             malformed = true;
             return false;
         }

@@ -83,6 +83,25 @@ std::string notes_to_text(const std::vector<PreparationNote>& notes, const ir::S
     return text;
 }
 
+Json notes_to_json(const std::vector<PreparationNote>& notes, const ir::Scene& scene,
+                   Positions& positions, std::string_view precision) {
+    Json json = Json::array();
+    for (const PreparationNote& note : notes) {
+        json.push_back({{"kind", kind_name(note.kind)},
+                        {"object", object_json(scene, note.object, positions)},
+                        {"count", note.count},
+                        {"message", note_text(note, scene, positions, precision)}});
+    }
+    return json;
+}
+
+std::string_view prepared_in(const ir::Scene& scene, const renderer::Settings& settings) {
+    // The published programs' ways are all traced in double.
+    const bool wide =
+        scene.compat != ir::Compat::kNone || settings.precision == renderer::Precision::kDouble;
+    return wide ? "double" : "float";
+}
+
 std::vector<PreparationNote> without_checked(const std::vector<PreparationNote>& notes,
                                              const ir::Scene& scene) {
     std::vector<PreparationNote> rest;

@@ -8,6 +8,8 @@
 
 #include "ir/scene/scene.hpp"
 #include "renderer/scene/preparation_note.hpp"
+#include "renderer/settings.hpp"
+#include "tools/driver/report/diagnostic_json.hpp"
 #include "tools/driver/report/positions.hpp"
 
 namespace cobble::driver {
@@ -21,6 +23,13 @@ std::string note_text(const renderer::PreparationNote& note, const ir::Scene& sc
 /// "path:line:column: warning: SENTENCE" for each, in lines; of many the first, and how many more.
 std::string notes_to_text(const std::vector<renderer::PreparationNote>& notes,
                           const ir::Scene& scene, Positions& positions, std::string_view precision);
+
+/// [{"kind", "object", "count": of its faces, "message": the sentence}].
+Json notes_to_json(const std::vector<renderer::PreparationNote>& notes, const ir::Scene& scene,
+                   Positions& positions, std::string_view precision);
+
+/// "float" or "double": the numbers in which a scene is rendered under these settings.
+std::string_view prepared_in(const ir::Scene& scene, const renderer::Settings& settings);
 
 /// Those that the checker says nothing of: it knows triangles and faces without area.
 std::vector<renderer::PreparationNote> without_checked(

@@ -8,6 +8,7 @@
 
 #include "tools/driver/report/diagnostic_json.hpp"
 #include "tools/driver/report/object_words.hpp"
+#include "tools/driver/report/preparation_notes.hpp"
 
 namespace cobble::driver {
 namespace {
@@ -45,6 +46,7 @@ std::string stats_to_json(const RenderStats& render) {
         const auto effect = static_cast<ir::Effect>(i);
         if (render.settings.effects.on(effect)) effects.push_back(ir::name_of(effect));
     }
+    const ir::Scene& scene = render.loaded.lowered.scene;
     const Json json = {
         {"cobble_stats", 1},
         {"picture",
@@ -67,6 +69,8 @@ std::string stats_to_json(const RenderStats& render) {
                                 : 0.0},
         {"tests", {{"boxes", counters.box_tests}, {"primitives", counters.primitive_tests}}},
         {"memory", {{"scene_bytes", stats.scene_bytes}, {"peak_bytes", peak_bytes()}}},
+        {"notes",
+         notes_to_json(stats.notes, scene, positions, prepared_in(scene, render.settings))},
         {"bad_samples", {{"count", stats.bad_sample_count}, {"first", std::move(bad)}}}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -134,13 +134,7 @@ std::string stability_to_json(const StabilityReport& report) {
         }
         objects.push_back(std::move(json));
     }
-    Json notes = Json::array();
-    for (const renderer::PreparationNote& note : report.stability.notes) {
-        notes.push_back({{"kind", kind_name(note.kind)},
-                         {"object", object_json(report.scene, note.object, positions)},
-                         {"count", note.count},
-                         {"message", note_text(note, report.scene, positions, "float")}});
-    }
+    Json notes = notes_to_json(report.stability.notes, report.scene, positions, "float");
     const Json json = {
         {"cobble_stability", 1},         {"size", Json::array({report.width, report.height})},
         {"rays", report.stability.rays}, {"clean", report.stability.clean()},

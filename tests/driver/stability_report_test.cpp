@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What people read of a scene that float fails, and of one that it does not.
+#include "tools/driver/report/stability_report.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+
+#include "tests/hard/wrong_kernels.hpp"
+#include "tests/render/scene_builder.hpp"
+
+namespace cobble::driver {
+namespace {
+
+constexpr std::string_view kText =
+    "Group {\n"
+    "    Triangle lower { }\n"
+    "    Triangle upper { }\n"
+    "}\n";
+
+/// Two triangles that share an edge, in front of the camera, written on lines 2 and 3.
+struct Written {
+    source::SourceMap sources;
+    ir::Scene scene;
+
+    Written() {
+        test::SceneBuilder builder;
+        builder.triangle({-1.1, -0.9, 0.1}, {0.9, -1.2, -0.3}, {1.3, 0.8, 0.2});
+        builder.triangle({-1.1, -0.9, 0.1}, {1.3, 0.8, 0.2}, {-0.7, 1.1, -0.2});
+        scene = builder.scene();
+        const auto id = sources.add("a.scene", std::string(kText));
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto at = static_cast<std::uint32_t>(
+                kText.find(i == 0 ? "Triangle lower" : "Triangle upper"));
+            scene.objects[i].span = {id, at, at + 14};
+            scene.objects[i].label = i == 0 ? "lower" : "upper";
+        }
+    }
+
+    template <typename Kernel>
+    renderer::Stability measure(Kernel kernel) const {
+        renderer::StabilityOptions options;
+        options.rays = 1000000;
+        options.cast = [kernel](const auto& in, const auto& ray, const auto& exclude) {
+            return test::cast_by(in, ray, exclude, kernel);
+        };
+        return renderer::measure_stability(scene, options);
+    }
+    [[nodiscard]] std::string text(const renderer::Stability& stability) const {
+        return stability_to_text({stability, scene, sources, "a.scene", 640, 480});
+    }
+};
+
+}  // namespace
+
+TEST_CASE("stability: a planted fault is reported with the line of its object") {
+    const Written written;
+    const renderer::Stability leaky = written.measure(test::moller_trumbore);
+    REQUIRE(!leaky.clean());
+    const std::string text = written.text(leaky);
+    CAPTURE(text);
+    const auto& worst = leaky.objects.front();
+    REQUIRE(worst.cracks > 0);
+    const std::string line = worst.object.value == 0 ? "a.scene:2:5" : "a.scene:3:5";
+    // In the table, and where an example of the fault is told.
+    CHECK(text.find(line) != std::string::npos);
+    CHECK(text.find("first crack at ") != std::string::npos);
+    CHECK(text.find(", 0 cracks") == std::string::npos);
+    const std::string json =
+        stability_to_json({leaky, written.scene, written.sources, "a.scene", 640, 480});
+    CHECK(json.find("\"clean\": false") != std::string::npos);
+}
+
+TEST_CASE("stability: a sound scene is reported clean") {
+    const Written written;
+    const renderer::Stability good = written.measure(test::sound);
+    CHECK(good.clean());
+    CHECK(written.text(good).find(" 0 cracks, 0 changed hits, 0 self-hits") != std::string::npos);
+    const std::string json =
+        stability_to_json({good, written.scene, written.sources, "a.scene", 640, 480});
+    CHECK(json.find("\"clean\": true") != std::string::npos);
+}
+
+}  // namespace cobble::driver

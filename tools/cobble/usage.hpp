@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What is said of a command line that is wrong: "cobble render: '--size' wants WxH, such as
+// 640x480, not 'abc'", and where to read more.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace cobble {
+
+/// Writes both lines to standard error; `command` is empty for the program itself. Gives kFailure.
+int usage_error(std::string_view command, std::string_view problem);
+
+/// What is wrong, in our words whatever the option library calls it.
+std::string usage_problem(const CLI::App& command, const CLI::ParseError& error);
+
+}  // namespace cobble

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#include "tools/driver/shards.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "ir/hash.hpp"
+#include "ir/output/sha256.hpp"
+#include "renderer/film/film.hpp"
+#include "renderer/tile/tiles.hpp"
+#include "tools/driver/numbers.hpp"
+#include "tools/driver/pictures.hpp"
+
+namespace cobble::driver {
+namespace {
+
+constexpr std::string_view kPrefix = "cobble shard ";
+// 64 bits of a hash tell scenes apart; the whole of it would not fit beside the rest.
+constexpr std::size_t kHashDigits = 16;
+
+std::string hash_of(const std::string& text) {
+    ir::Sha256 hash;
+    hash.add(text.data(), text.size());
+    return ir::to_hex(hash.finish()).substr(0, kHashDigits);
+}
+
+renderer::Settings settings_of(const ShardNote& note) {
+    renderer::Settings settings;
+    settings.width = note.width;
+    settings.height = note.height;
+    settings.crop = note.window;
+    settings.tile_size = note.tile_size;
+    settings.shard_index = note.index - 1;
+    settings.shard_count = note.count;
+    return settings;
+}
+
+std::string name_of(const ShardNote& note) {
+    return fmt::format("shard {}/{}", note.index, note.count);
+}
+
+std::string size_of(std::uint32_t width, std::uint32_t height) {
+    return fmt::format("{}x{}", width, height);
+}
+
+std::string text_of(const renderer::Crop& crop) {
+    return fmt::format("{},{},{},{}", crop.x0, crop.y0, crop.x1, crop.y1);
+}
+
+// What two shards must share: its name, and how each says it. Hashes tell people nothing: for them
+// the name is the whole sentence.
+struct Property {
+    std::string_view name;
+    std::string first, second;
+    bool hash = false;
+};
+
+// Why `second` is no shard of the render that `first` is one of, or "".
+std::string difference(const ShardNote& first, const ShardNote& second) {
+    const std::array<Property, 10> properties{{
+        {"number of shards", std::to_string(first.count), std::to_string(second.count)},
+        {"size", size_of(first.width, first.height), size_of(second.width, second.height)},
+        {"crop", text_of(first.window), text_of(second.window)},
+        {"kind of picture", first.picture, second.picture},
+        {"it shows another scene", first.scene, second.scene, true},
+        {"number of samples", std::to_string(first.samples), std::to_string(second.samples)},
+        {"seed", std::to_string(first.seed), std::to_string(second.seed)},
+        {"tile size", std::to_string(first.tile_size), std::to_string(second.tile_size)},
+        {"version of cobble", first.version, second.version},
+        {"it has other options", first.settings, second.settings, true},
+    }};
+    for (const Property& property : properties) {
+        if (property.first == property.second) continue;
+        if (property.hash) return std::string(property.name);
+        return fmt::format("its {} is {}, not {}", property.name, property.second, property.first);
+    }
+    return {};
+}
+
+// Why a file cannot be a part of any whole, or "".
+std::string objection(const std::string& path, const ReadPicture& picture,
+                      const std::optional<ShardNote>& note, const std::string& output) {
+    if (!picture.problem.empty()) return picture.problem;
+    if (!note) {
+        return path +
+               " does not say which shard of a render it is, as `cobble render --shard` writes";
+    }
+    if (!note->complete)
+        return fmt::format("{} is {} of a render that was interrupted", path, name_of(*note));
+    const renderer::Crop& window = note->window;
+    if (picture.plane.width != window.x1 - window.x0 ||
+        picture.plane.height != window.y1 - window.y0) {
+        return fmt::format("{} is {}, and was rendered as {}", path,
+                           size_of(picture.plane.width, picture.plane.height),
+                           size_of(window.x1 - window.x0, window.y1 - window.y0));
+    }
+    if (picture.eight_bit == keeps_bytes(output)) return {};
+    return picture.eight_bit
+               ? fmt::format("{} keeps 8 bits a channel: join it to a .png, .bmp or .tga file",
+                             path)
+               : fmt::format(
+                     "{} keeps more than 8 bits a channel: join it to a .pfm, .hdr or .exr file",
+                     path);
+}
+
+// "" if all shards are there.
+std::string missing(const std::map<std::uint32_t, std::string>& shards, std::uint32_t count) {
+    // Files may claim to be one of billions: only those are named that come first.
+    constexpr std::size_t kEnough = 3;
+    const std::uint64_t left = count - shards.size();
+    if (left == 0) return {};
+    std::string names;
+    std::size_t named = 0;
+    for (std::uint32_t i = 1; named < std::min<std::uint64_t>(left, kEnough); ++i) {
+        if (shards.contains(i)) continue;
+        names += fmt::format("{}{}/{}", named == 0 ? "" : ", ", i, count);
+        ++named;
+    }
+    if (left == 1) return fmt::format("shard {} is missing", names);
+    const bool all = left <= kEnough;
+    return fmt::format("shards {}{} are missing", names,
+                       all ? "" : fmt::format(" and {} more", left - named));
+}
+
+void copy_tiles(const ShardNote& note, const renderer::Plane32& from, renderer::Plane32& to) {
+    const renderer::Settings settings = settings_of(note);
+    for (const renderer::Tile& tile : renderer::make_tiles(settings)) {
+        for (std::uint64_t i = 0; i < tile.pixels(); ++i) {
+            const std::size_t pixel =
+                std::size_t{tile.y(i) - note.window.y0} * to.width + (tile.x(i) - note.window.x0);
+            // What was read has three equal channels where there was one.
+            for (std::size_t c = 0; c < to.channels; ++c) {
+                to.values[pixel * to.channels + c] = from.values[pixel * from.channels + c];
+            }
+        }
+    }
+}
+
+}  // namespace
+
+ShardNote shard_note(const ir::Scene& scene, const renderer::Settings& settings,
+                     std::string_view picture, std::string_view more, bool complete) {
+    ShardNote note;
+    note.index = settings.shard_index + 1;
+    note.count = settings.shard_count;
+    note.width = settings.width;
+    note.height = settings.height;
+    note.window = renderer::window_of(settings);
+    note.tile_size = settings.tile_size;
+    note.picture = picture;
+    note.scene = ir::hash(scene).substr(0, kHashDigits);
+    note.samples = settings.samples;
+    note.seed = settings.seed;
+    note.version = COBBLE_VERSION;
+    note.complete = complete;
+
+    const auto& compat = settings.compat;
+    std::string rest = fmt::format(
+        "{} {} {} {} {} {} {} {} {} {} {} {} {} ", settings.bounces, int(settings.filter),
+        int(settings.precision), settings.texture_filter ? int(*settings.texture_filter) : -1,
+        int(scene.compat), compat.shadows, compat.jitter, compat.filter, compat.casting,
+        compat.pixelated, compat.blurry.value_or(-1), compat.depth_min, compat.depth_max);
+    for (const ir::EffectState& effect : settings.effects.states) rest += effect.on ? '1' : '0';
+    note.settings = hash_of(rest + ' ' + std::string(more));
+    return note;
+}
+
+std::string to_text(const ShardNote& note) {
+    return fmt::format(
+        "{}{}/{} of {} at {} tiles {} picture {} scene {} samples {} seed {} settings {} version "
+        "{} "
+        "complete {}",
+        kPrefix, note.index, note.count, size_of(note.width, note.height), text_of(note.window),
+        note.tile_size, note.picture, note.scene, note.samples, note.seed, note.settings,
+        note.version, note.complete ? "yes" : "no");
+}
+
+std::optional<ShardNote> parse_shard_note(std::string_view text) {
+    if (!text.starts_with(kPrefix)) return std::nullopt;
+    text.remove_prefix(kPrefix.size());
+    std::vector<std::string_view> words;
+    for (;;) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        words.push_back(text.substr(0, end));
+        if (end == text.size()) break;
+        text.remove_prefix(end + 1);
+    }
+    // The part, then names and values in turn; others may come with later versions.
+    std::map<std::string_view, std::string_view> values;
+    for (std::size_t i = 1; i + 1 < words.size(); i += 2) values[words[i]] = words[i + 1];
+
+    ShardNote note;
+    std::vector<std::uint32_t> part;
+    std::vector<std::uint32_t> size;
+    std::vector<std::uint32_t> window;
+    const bool read =
+        parse_numbers(words[0], '/', 2, part) && parse_numbers(values["of"], 'x', 2, size) &&
+        parse_numbers(values["at"], ',', 4, window) &&
+        parse_number(values["tiles"], note.tile_size) &&
+        parse_number(values["samples"], note.samples) && parse_number(values["seed"], note.seed);
+    if (!read || part[0] < 1 || part[0] > part[1] || window[0] >= window[2] ||
+        window[1] >= window[3] || window[2] > size[0] || window[3] > size[1]) {
+        return std::nullopt;
+    }
+    note.index = part[0];
+    note.count = part[1];
+    note.width = size[0];
+    note.height = size[1];
+    note.window = {window[0], window[1], window[2], window[3]};
+    note.picture = values["picture"];
+    note.scene = values["scene"];
+    note.settings = values["settings"];
+    note.version = values["version"];
+    note.complete = values["complete"] == "yes";
+    return note;
+}
+
+Merged merge_shards(const std::vector<std::string>& paths, const std::string& output) {
+    Merged merged;
+    const auto refuse = [&merged](std::string problem) {
+        merged.plane = {};
+        merged.problem = std::move(problem);
+        return merged;
+    };
+    ShardNote first;
+    std::map<std::uint32_t, std::string> shards;  // path by number
+    for (const std::string& path : paths) {
+        const ReadPicture shard = read_picture(path);
+        const std::optional<ShardNote> note = parse_shard_note(shard.comment);
+        if (std::string problem = objection(path, shard, note, output); !problem.empty()) {
+            return refuse(std::move(problem));
+        }
+        if (shards.empty()) {
+            first = *note;
+            const bool one_channel = note->picture == "depth" || note->picture == "sample-count";
+            merged.plane = {shard.plane.width, shard.plane.height, one_channel ? 1U : 3U, {}};
+            merged.plane.values.resize(std::size_t{shard.plane.width} * shard.plane.height *
+                                       merged.plane.channels);
+        } else if (std::string other = difference(first, *note); !other.empty()) {
+            return refuse(
+                fmt::format("{} is no shard of the same render as {}: {}", path, paths[0], other));
+        }
+        const auto [twin, is_new] = shards.emplace(note->index, path);
+        if (!is_new) {
+            return refuse(twin->second == path ? path + " is named twice"
+                                               : fmt::format("{} and {} are both {}", twin->second,
+                                                             path, name_of(*note)));
+        }
+        copy_tiles(*note, shard.plane, merged.plane);
+    }
+    if (std::string problem = missing(shards, first.count); !problem.empty()) {
+        return refuse(std::move(problem));
+    }
+    return merged;
+}
+
+}  // namespace cobble::driver
