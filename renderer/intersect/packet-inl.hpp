@@ -367,15 +367,16 @@ inline void meet(const WideTree<float>& tree, Packet& p, std::size_t ray, std::u
             p.bound[ray] = std::numeric_limits<float>::lowest();
             return;
         }
-    } else if (inside) {
+    } else {
         const bool waits = p.ahead[ray] != Packet::kNoTriangle;
         const float least = waits ? p.ahead_near[ray] : p.best[ray].t;
-        if (far < least) {
+        if (inside && far < least) {
             p.ahead[ray] = triangle;
             p.ahead_near[ray] = near;
             p.bound[ray] = far;
             return;
         }
+        // Whether this one is sure or not: it may turn out to lie before the one that waits.
         settle(tree, p, ray);
     }
     const auto one = lane_of(block, lane);

@@ -100,6 +100,39 @@ TEST_CASE("a batch of rays has the answers of its rays") {
     check_batches<double>(b.scene());
 }
 
+TEST_CASE("a batch that meets a triangle on its edge, before one that it met inside") {
+    for (const bool edge_first : {false, true}) {
+        SceneBuilder b;
+        for (const bool edge : {edge_first, !edge_first}) {
+            if (edge) {
+                b.triangle({0.25, -1, -1}, {1, 0, -1}, {0.25, 1, -1});
+            } else {
+                b.triangle({-5, -5, -2}, {5, -5, -2}, {0, 5, -2});
+            }
+        }
+        renderer::PrepareOptions options;
+        options.acceleration = Acceleration::kFast;
+        const auto prepared = renderer::prepare<float>(b.scene(), options);
+        std::vector<renderer::Ray<float>> rays(64);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            rays[i].origin = prepared.to_local({0, 0, 0});
+            // x is 0.25, exactly, where z is -1.
+            rays[i].direction = {0.25F, 0.125F + static_cast<float>(i) / 512, -1};
+        }
+        const std::vector<renderer::Exclude> excludes(rays.size());
+        std::vector<renderer::Hit<float>> hits(rays.size());
+        renderer::Counters counters;
+        renderer::closest_hits<float>(prepared, rays, excludes, hits, counters,
+                                      renderer::Coherence::kCoherent);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto hit = closest_hit(prepared, rays[i], excludes[i], counters);
+            CHECK(hit.t == 1);
+            CHECK(hits[i].t == hit.t);
+            CHECK(hits[i].object == hit.object);
+        }
+    }
+}
+
 TEST_CASE("pixels by blocks: each once, and neighbours together") {
     for (std::uint32_t width = 1; width <= 18; ++width) {
         for (std::uint32_t height = 1; height <= 18; ++height) {

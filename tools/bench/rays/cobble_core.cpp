@@ -2,7 +2,6 @@
 #include "tools/bench/rays/cobble_core.hpp"
 
 #include <fmt/format.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <span>
 
 #include "renderer/intersect/batch.hpp"
+#include "renderer/intersect/instruction_set.hpp"
 #include "renderer/job/fp_environment.hpp"
 
 namespace cobble::bench {
@@ -100,7 +100,7 @@ bool same_hit(const Hit<T>& a, const Hit<T>& b) {
 
 template <typename T>
 void complain(const PreparedScene<T>& scene, const RaySet<T>& rays, std::size_t i,
-              const InstructionSet& set, Ask ask, const Hit<T>& got) {
+              const std::string& set, Ask ask, const Hit<T>& got) {
     const auto text = [](const Hit<T>& hit) {
         return fmt::format("object {} face {} t {} u {} v {}",
                            static_cast<std::int32_t>(hit.object.value), hit.face, hit.t, hit.u,
@@ -110,7 +110,7 @@ void complain(const PreparedScene<T>& scene, const RaySet<T>& rays, std::size_t 
     Counters counters;
     const Hit<T> every = closest_hit_brute_force(scene, rays.rays[i], rays.excludes[i], counters);
     fmt::print(stderr, "bench_rays: {} ray {} by {}{}: {}, the reference: {}, brute force: {}\n",
-               rays.kind.name, i, set.name, ask == Ask::kBatches ? " in batches" : "",
+               rays.kind.name, i, set, ask == Ask::kBatches ? " in batches" : "",
                rays.kind.any ? (want ? "no hit" : "a hit") : text(got),
                rays.kind.any ? (want ? "a hit" : "no hit") : text(want), text(every));
 }
@@ -124,24 +124,6 @@ std::uint64_t bytes_of(const renderer::WideTree<T>& tree) {
 
 }  // namespace
 
-const std::vector<InstructionSet>& instruction_sets() {
-    static const std::vector<InstructionSet> sets = [] {
-        std::vector<InstructionSet> found;
-        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-            std::string name = hwy::TargetName(target);
-            for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-            found.push_back({std::move(name), target});
-        }
-        return found;
-    }();
-    return sets;
-}
-
-void use_instruction_set(const InstructionSet& set) {
-    hwy::SetSupportedTargetsForTest(set.target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
 template <typename T>
 std::vector<Contestant> cobble_contestants(const PreparedScene<T>& reference,
                                            const PreparedScene<T>& fast, const RaySet<T>& rays) {
@@ -152,10 +134,10 @@ std::vector<Contestant> cobble_contestants(const PreparedScene<T>& reference,
     };
     std::vector<Contestant> contestants;
     contestants.push_back({"cobble-reference", 1, {}, way(reference, Ask::kSingle)});
-    for (const InstructionSet& set : instruction_sets()) {
-        const auto choose = [&set] { use_instruction_set(set); };
-        contestants.push_back({"cobble-" + set.name, 1, choose, way(fast, Ask::kSingle)});
-        contestants.push_back({"cobble-batch-" + set.name, 1, choose, way(fast, Ask::kBatches)});
+    for (const std::string& set : renderer::instruction_sets()) {
+        const auto choose = [set] { renderer::use_instruction_set(set); };
+        contestants.push_back({"cobble-" + set, 1, choose, way(fast, Ask::kSingle)});
+        contestants.push_back({"cobble-batch-" + set, 1, choose, way(fast, Ask::kBatches)});
     }
     return contestants;
 }
@@ -166,8 +148,8 @@ std::uint64_t count_differences(const PreparedScene<T>& reference, const Prepare
     const FpEnvironment environment;
     const std::size_t count = rays.rays.size();
     std::uint64_t sum = 0;
-    for (const InstructionSet& set : instruction_sets()) {
-        use_instruction_set(set);
+    for (const std::string& set : renderer::instruction_sets()) {
+        renderer::use_instruction_set(set);
         for (const Ask ask : {Ask::kSingle, Ask::kBatches}) {
             std::vector<Hit<T>> hits(count);
             std::vector<std::uint8_t> flags(count);
@@ -185,7 +167,7 @@ std::uint64_t count_differences(const PreparedScene<T>& reference, const Prepare
             sum += here;
         }
     }
-    use_instruction_set(instruction_sets()[0]);
+    renderer::use_instruction_set("");
     return sum;
 }
 

@@ -12,18 +12,6 @@
 
 namespace cobble::bench {
 
-/// An instruction set that this machine has and that the kernels were compiled for.
-struct InstructionSet {
-    std::string name;  ///< "avx2"
-    std::int64_t target = 0;
-};
-
-/// The best first.
-const std::vector<InstructionSet>& instruction_sets();
-
-/// Makes all kernels use it from now on, on all threads.
-void use_instruction_set(const InstructionSet& set);
-
 /// "cobble-reference"; then for each instruction set, the best first, "cobble-avx2" (one ray a
 /// call) and "cobble-batch-avx2". What is passed must outlive the contestants.
 template <typename T>

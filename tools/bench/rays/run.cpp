@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/intersect/instruction_set.hpp"
 #include "renderer/job/fp_environment.hpp"
 #include "tools/bench/clock.hpp"
 #include "tools/bench/median.hpp"
@@ -48,7 +49,7 @@ bool has_kind(const Choice& choice, std::string_view kind) {
 /// Those that were chosen; with more than one thread only what is not an older instruction set, a
 /// reference or Embree without its robust flag.
 std::vector<Contestant> entrants(const std::vector<Contestant>& all, const Choice& choice) {
-    const std::string& best = instruction_sets()[0].name;
+    const std::string best = renderer::instruction_sets()[0];
     std::vector<Contestant> result;
     for (const unsigned threads : choice.threads) {
         for (const Contestant& contestant : all) {
@@ -130,7 +131,7 @@ template <typename T>
 std::vector<Builder> builders_for(const Input& input, const Choice& choice) {
     std::vector<Builder> builders;
     const std::size_t primitives = stored_primitives(input.scene);
-    if (chosen(choice.cores, "cobble-" + instruction_sets()[0].name)) {
+    if (chosen(choice.cores, "cobble-" + renderer::instruction_sets()[0])) {
         builders.push_back({"cobble", 1, primitives, [&input] {
                                 const Stopwatch watch;
                                 const auto scene = prepare_as<T>(input.scene, Acceleration::kFast);
@@ -196,7 +197,7 @@ std::uint64_t run_input(const Input& input, const Choice& choice, Report& report
         }
     }
     if (has_kind(choice, "build")) {
-        use_instruction_set(instruction_sets()[0]);
+        renderer::use_instruction_set("");
         report.add(measure_builds(builders_for<T>(input, choice), choice.effort));
     }
     return differences;
