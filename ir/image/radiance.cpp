@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ir/image/radiance.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>
