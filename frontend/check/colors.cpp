@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frontend/check/checks.hpp"
+#include "frontend/check/vectors.hpp"
 
 namespace cobble::frontend {
 namespace {
@@ -67,7 +68,7 @@ void check_color(CheckContext& context, BlockNodeId id, const FieldNode& field,
     for (const Value& value : context.ast().values_of(field)) {
         if (value.number >= range.low && value.number <= range.high) continue;
         // Said already, as a number out of range.
-        if (!(std::fabs(value.number) <= std::numeric_limits<float>::max())) {
+        if (!fits_single(value.number)) {
             found = true;
             continue;
         }

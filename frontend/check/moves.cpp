@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "frontend/check/checks.hpp"
 #include "frontend/check/examples.hpp"
@@ -40,7 +39,7 @@ void check_matrix(CheckContext& context, BlockNodeId id, const FieldNode& field)
     if (values.size() != 16) return;
     std::array<Numbers3, 3> columns;
     for (std::size_t i = 0; i < 16; ++i) {
-        if (!(std::fabs(values[i].number) <= std::numeric_limits<float>::max())) return;
+        if (!fits_single(values[i].number)) return;
         if (i < 12 && i % 4 < 3) columns[i / 4][i % 4] = values[i].number;
     }
     const double determinant = dot(columns[0], cross(columns[1], columns[2]));
@@ -69,8 +68,7 @@ void check_singular_move(CheckContext& context, BlockNodeId id) {
             continue;
         }
         for (const Value& value : context.ast().values_of(field)) {
-            // As for vectors: zero in single precision.
-            if (std::fabs(value.number) > 0x1p-150) continue;
+            if (!is_zero(value.number)) continue;
             context.report(kSingularTransform, context.span(value.token),
                            fmt::format("a factor of {} must not be 0", context.name(id)));
         }

@@ -8,6 +8,7 @@
 
 #include "frontend/check/checks.hpp"
 #include "frontend/check/examples.hpp"
+#include "frontend/check/vectors.hpp"
 
 namespace cobble::frontend {
 namespace {
@@ -47,9 +48,7 @@ const source::DiagnosticCode kRadiusNotPositive{"radius-not-positive",
                                                 "}\n",
                                                 "Write a radius above 0."};
 
-/// The renderer narrows numbers once to single precision, and published programs read them so.
-constexpr double kLargest = std::numeric_limits<float>::max();
-/// Below this they lose digits there, and then become 0.
+/// Below this numbers lose digits in single precision, and then become 0.
 constexpr double kSmallest = std::numeric_limits<float>::min();
 
 /// True if 0 is forbidden, so that a number that nearly is 0 is a mistake as well. Elsewhere such
@@ -96,7 +95,7 @@ void check_number(CheckContext& context, BlockNodeId id, const grammar::FieldRow
                   const Value& value) {
     const double size = std::fabs(value.number);
     const source::Span place = context.span(value.token);
-    if (!(size <= kLargest)) {
+    if (!fits_single(value.number)) {
         auto& diagnostic = context.report(
             kValueOutOfRange, place, fmt::format("{} is too large", subject(context, id, row)));
         diagnostic.notes.emplace_back("the largest number is 3.4e38, in either direction");

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "frontend/check/checks.hpp"
 
 namespace cobble::frontend {
@@ -38,15 +36,9 @@ std::optional<Numbers3> three_numbers(const CheckContext& context, const FieldNo
     Numbers3 numbers;
     for (std::size_t i = 0; i < 3; ++i) {
         numbers[i] = values[i].number;
-        if (!(std::fabs(numbers[i]) <= std::numeric_limits<float>::max())) return std::nullopt;
+        if (!fits_single(numbers[i])) return std::nullopt;
     }
     return numbers;
-}
-
-bool is_zero(const Numbers3& v) {
-    constexpr double kHalfSmallest = 0x1p-150;
-    return std::fabs(v[0]) <= kHalfSmallest && std::fabs(v[1]) <= kHalfSmallest &&
-           std::fabs(v[2]) <= kHalfSmallest;
 }
 
 void check_zero_vectors(CheckContext& context, BlockNodeId id) {

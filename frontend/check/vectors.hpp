@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Three numbers, for the checks that measure.
+// Numbers, and three of them, for the checks that measure.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "frontend/check/context.hpp"
@@ -12,14 +13,21 @@ namespace cobble::frontend {
 
 using Numbers3 = std::array<double, 3>;
 
+/// The renderer narrows numbers once to single precision, and published programs read them so: a
+/// magnitude beyond this has no place there.
+inline constexpr double kLargestNumber = std::numeric_limits<float>::max();
+
+/// False for what is not finite, too.
+inline bool fits_single(double number) { return std::fabs(number) <= kLargestNumber; }
+
+/// True if the number is zero in single precision: at most half of its smallest number, 2^-149.
+inline bool is_zero(double number) { return std::fabs(number) <= 0x1p-150; }
+
 /// The first three numbers of a field, or nothing if it is absent, broken or too large to be
-/// measured (which is said elsewhere). Numbers are at most 3.5e38, so that squares of squares
-/// stay finite.
+/// stored (which is said elsewhere), so that squares of squares stay finite.
 std::optional<Numbers3> three_numbers(const CheckContext& context, const FieldNode* field);
 
-/// True if every component is zero in single precision: at most half of its smallest number,
-/// 2^-149.
-bool is_zero(const Numbers3& v);
+inline bool is_zero(const Numbers3& v) { return is_zero(v[0]) && is_zero(v[1]) && is_zero(v[2]); }
 
 inline double dot(const Numbers3& a, const Numbers3& b) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a mesh file is told about itself.
 #include "ir/assets/mesh_findings.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
 #include "ir/assets/asset_loader.hpp"
 #include "ir/assets/obj/mesh_normals.hpp"
 #include "ir/assets/obj/obj_problems.hpp"
@@ -98,7 +103,7 @@ void AssetLoader::report_problems(const LoadedObj& loaded, Span span) {
         report(about(*remark.code, remark.message, {loaded.source, remark.begin, remark.end}, span),
                span);
     }
-    if (file.remarks.size() == kMaxObjRemarks) {
+    if (file.more_remarks) {
         found_.back().diagnostic.notes.emplace_back("other words are not listed");
     }
     const std::string_view text = sources_.text(loaded.source);

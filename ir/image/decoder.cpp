@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "ir/image/bytes.hpp"
 #include "ir/image/integrity.hpp"
 #include "ir/image/radiance.hpp"
 #include "ir/image/stb_budget.hpp"
@@ -62,13 +63,6 @@ Decoded decoder_failed(std::string_view bytes) {
                                         std::string(why) + ")");
 }
 
-std::uint32_t big32(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-        value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
-    return value;
-}
-
 Decoded no_header(std::string_view bytes) {
     const std::string_view format = image_format(bytes);
     if (format.empty()) {
@@ -105,7 +99,8 @@ std::optional<Header> read_header(std::string_view bytes) {
     // A PNG's size stands at a fixed place; the decoder would not tell that of one it finds too
     // big.
     if (format == "PNG" && bytes.size() >= 24 && bytes.substr(12, 4) == "IHDR") {
-        return Header{big32(bytes, 16), big32(bytes, 20), false};
+        return Header{static_cast<std::uint32_t>(big_endian(bytes, 16, 4)),
+                      static_cast<std::uint32_t>(big_endian(bytes, 20, 4)), false};
     }
     // Asking for a JPEG's size already reads its tables.
     if (format == "JPEG" && !find_damage(bytes).empty()) return std::nullopt;

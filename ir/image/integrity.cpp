@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "ir/image/bytes.hpp"
 #include "ir/image/crc32.hpp"
 #include "ir/image/radiance.hpp"
 
@@ -15,29 +16,16 @@ namespace {
 constexpr std::string_view kPngMark("\x89PNG\r\n\x1a\n", 8);
 constexpr const char* kCutShort = "the file ends too early";
 
-std::uint64_t byte_at(std::string_view s, std::size_t i) {
-    return i < s.size() ? static_cast<std::uint8_t>(s[i]) : 0;
-}
-std::uint64_t little(std::string_view s, std::size_t at, std::size_t count) {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < count; ++i) value |= byte_at(s, at + i) << (8 * i);
-    return value;
-}
-std::uint64_t big32(std::string_view s, std::size_t at) {
-    return byte_at(s, at) << 24 | byte_at(s, at + 1) << 16 | byte_at(s, at + 2) << 8 |
-           byte_at(s, at + 3);
-}
-
 std::string png_damage(std::string_view bytes) {
     std::size_t at = kPngMark.size();
     for (;;) {
         if (bytes.size() - at < 12) return kCutShort;
-        const std::uint64_t length = big32(bytes, at);
+        const std::uint64_t length = big_endian(bytes, at, 4);
         if (length > bytes.size() - at - 12) return kCutShort;
         const auto chunk = bytes.substr(at + 4, static_cast<std::size_t>(length) + 4);
         const std::string_view name = chunk.substr(0, 4);
         at += static_cast<std::size_t>(length) + 8;
-        if (crc32(chunk) != big32(bytes, at)) {
+        if (crc32(chunk) != big_endian(bytes, at, 4)) {
             const bool printable =
                 std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c < 0x7f; });
             return "the checksum of its " + (printable ? std::string(name) : "next") +
@@ -49,14 +37,14 @@ std::string png_damage(std::string_view bytes) {
 }
 
 std::string bmp_damage(std::string_view bytes) {
-    const std::uint64_t offset = little(bytes, 10, 4);
-    const std::uint64_t header = little(bytes, 14, 4);
+    const std::uint64_t offset = little_endian(bytes, 10, 4);
+    const std::uint64_t header = little_endian(bytes, 14, 4);
     const bool old = header == 12;
-    const std::uint64_t width = old ? little(bytes, 18, 2) : little(bytes, 18, 4);
-    const auto raw_height = old ? static_cast<std::int64_t>(little(bytes, 20, 2))
-                                : static_cast<std::int32_t>(little(bytes, 22, 4));
+    const std::uint64_t width = old ? little_endian(bytes, 18, 2) : little_endian(bytes, 18, 4);
+    const auto raw_height = old ? static_cast<std::int64_t>(little_endian(bytes, 20, 2))
+                                : static_cast<std::int32_t>(little_endian(bytes, 22, 4));
     const auto height = static_cast<std::uint64_t>(std::abs(raw_height));
-    const std::uint64_t bits = little(bytes, old ? 24 : 28, 2);
+    const std::uint64_t bits = little_endian(bytes, old ? 24 : 28, 2);
     if (bytes.size() < 14 + header) return kCutShort;
     // Below 8 bits, pixels fill bytes: they do not straddle two.
     if (bits == 0 || bits > 32 || (bits < 8 && 8 % bits != 0)) {
@@ -90,8 +78,8 @@ std::string bmp_damage(std::string_view bytes) {
 std::string tga_damage(std::string_view bytes) {
     const std::uint64_t type = byte_at(bytes, 2);
     const bool indexed = byte_at(bytes, 1) != 0;
-    const std::uint64_t palette = little(bytes, 5, 2) * ((byte_at(bytes, 7) + 7) / 8);
-    const std::uint64_t pixels = little(bytes, 12, 2) * little(bytes, 14, 2);
+    const std::uint64_t palette = little_endian(bytes, 5, 2) * ((byte_at(bytes, 7) + 7) / 8);
+    const std::uint64_t pixels = little_endian(bytes, 12, 2) * little_endian(bytes, 14, 2);
     const std::uint64_t unit = (byte_at(bytes, 16) + 7) / 8;
     std::uint64_t at = 18 + byte_at(bytes, 0) + (indexed ? palette : 0);
     if (type < 8) return at + pixels * unit > bytes.size() ? kCutShort : "";
@@ -113,7 +101,7 @@ bool is_jpeg(std::string_view bytes) {
 }
 
 std::size_t segment_length(std::string_view bytes, std::size_t at) {
-    return static_cast<std::size_t>(byte_at(bytes, at) << 8 | byte_at(bytes, at + 1));
+    return static_cast<std::size_t>(big_endian(bytes, at, 2));
 }
 
 /// True if one of the Huffman tables in a segment, whose length stands at `at`, claims more than

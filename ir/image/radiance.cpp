@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "ir/image/radiance.hpp"
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <optional>
+
+#include "ir/image/bytes.hpp"
+#include "ir/math/power_of_two.hpp"
 
 namespace cobble::image {
 namespace {
@@ -85,11 +88,10 @@ const char* read_flat(std::string_view& rest, std::vector<Rgbe>& row) {
 
 const char* read_row(std::string_view& rest, std::vector<Rgbe>& row) {
     const std::size_t width = row.size();
-    const auto byte = [&rest](std::size_t i) { return static_cast<std::uint8_t>(rest[i]); };
-    const bool runs = width >= 8 && width < 32768 && rest.size() >= 4 && byte(0) == 2 &&
-                      byte(1) == 2 && byte(2) < 128;
+    const bool runs = width >= 8 && width < 32768 && rest.size() >= 4 && byte_at(rest, 0) == 2 &&
+                      byte_at(rest, 1) == 2 && byte_at(rest, 2) < 128;
     if (!runs) return read_flat(rest, row);
-    if ((std::size_t{byte(2)} << 8 | byte(3)) != width) {
+    if (big_endian(rest, 2, 2) != width) {
         return "a row has another length than the picture";
     }
     rest.remove_prefix(4);
@@ -98,9 +100,6 @@ const char* read_row(std::string_view& rest, std::vector<Rgbe>& row) {
     }
     return "";
 }
-
-/// 2^n, -1022 <= n <= 1023: exact, and without the C library.
-double exp2_int(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); }
 
 }  // namespace
 
@@ -146,7 +145,7 @@ std::string decode_radiance(std::string_view bytes, const RadianceHeader& header
     for (std::uint32_t y = 0; y < header.height; ++y) {
         if (const char* problem = read_row(rest, row); *problem != '\0') return problem;
         for (const Rgbe& pixel : row) {
-            const double scale = pixel[3] == 0 ? 0 : exp2_int(int{pixel[3]} - 136);
+            const double scale = pixel[3] == 0 ? 0 : math::power_of_two(int{pixel[3]} - 136);
             for (std::size_t c = 0; c < 3; ++c) {
                 pixels.push_back(static_cast<float>(pixel[c] * scale));
             }

@@ -6,13 +6,9 @@
 #include <cstdint>
 
 #include "ir/math/double_double.hpp"
+#include "ir/math/power_of_two.hpp"
 
 namespace cobble::math::detail {
-
-/// 2^k exactly, for k in [-1022, 1023].
-inline double power_of_two(int k) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
-}
 
 /// x 2^k for k in [-2200, 2200], in steps that stay in range; rounded only if the result is
 /// subnormal.

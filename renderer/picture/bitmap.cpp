@@ -3,20 +3,13 @@
 // them.
 #include <array>
 
+#include "ir/image/bytes.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
 namespace {
 
-void put16(std::string& out, std::uint32_t value) {
-    out.push_back(static_cast<char>(value & 0xff));
-    out.push_back(static_cast<char>(value >> 8 & 0xff));
-}
-
-void put32(std::string& out, std::uint32_t value) {
-    put16(out, value & 0xffff);
-    put16(out, value >> 16);
-}
+using image::put_little_endian;
 
 /// Blue, green, red from the bottom row up, each row filled to `row_bytes`.
 void put_rows(std::string& out, const ByteImage& image, std::size_t row_bytes) {
@@ -42,17 +35,17 @@ Encoded encode_bmp(const ByteImage& image) {
     std::string& out = result.bytes;
     out.reserve(kHeaders + size);
     out += "BM";
-    put32(out, kHeaders + size);
-    put32(out, 0);
-    put32(out, kHeaders);
-    put32(out, 40);
-    put32(out, image.width);
-    put32(out, image.height);
-    put16(out, 1);   // planes
-    put16(out, 24);  // bits a pixel
-    put32(out, 0);   // uncompressed
-    put32(out, size);
-    for (int i = 0; i < 4; ++i) put32(out, 0);  // no resolution, no palette
+    put_little_endian(out, kHeaders + size, 4);
+    put_little_endian(out, 0, 4);
+    put_little_endian(out, kHeaders, 4);
+    put_little_endian(out, 40, 4);
+    put_little_endian(out, image.width, 4);
+    put_little_endian(out, image.height, 4);
+    put_little_endian(out, 1, 2);   // planes
+    put_little_endian(out, 24, 2);  // bits a pixel
+    put_little_endian(out, 0, 4);   // uncompressed
+    put_little_endian(out, size, 4);
+    for (int i = 0; i < 4; ++i) put_little_endian(out, 0, 4);  // no resolution, no palette
     put_rows(out, image, row);
     return result;
 }
@@ -64,8 +57,8 @@ Encoded encode_tga(const ByteImage& image) {
     out.reserve(18 + row * image.height);
     constexpr std::array<char, 12> kTrueColour{0, 0, 2};  // no palette, origin 0 0
     out.append(kTrueColour.data(), kTrueColour.size());
-    put16(out, image.width);
-    put16(out, image.height);
+    put_little_endian(out, image.width, 2);
+    put_little_endian(out, image.height, 2);
     out.push_back(24);
     out.push_back(0);  // rows from the bottom
     put_rows(out, image, row);

@@ -4,10 +4,16 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "ir/image/bytes.hpp"
 #include "ir/image/crc32.hpp"
 
 namespace cobble::renderer {
 namespace {
+
+using image::big_endian;
+using image::little_endian;
+using image::put_big_endian;
+using image::put_little_endian;
 
 constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kPngKeyword{"Comment\0", 8};
@@ -17,43 +23,22 @@ constexpr std::string_view kExrName{"comments\0string\0", 16};
 constexpr std::string_view kHdrPrefix = "# ";
 constexpr std::size_t kTgaHeader = 18;
 
-std::string big32(std::uint32_t value) {
-    std::string out;
-    for (unsigned shift = 32; shift > 0; shift -= 8) {
-        out.push_back(static_cast<char>(value >> (shift - 8) & 0xff));
-    }
-    return out;
-}
-
-std::string little(std::uint64_t value, unsigned bytes) {
-    std::string out;
-    for (unsigned i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-    return out;
-}
-
-/// `count` bytes at `at`, of which all are there.
-std::uint64_t number(std::string_view bytes, std::size_t at, unsigned count, bool big) {
-    std::uint64_t value = 0;
-    for (unsigned i = 0; i < count; ++i) {
-        const unsigned shift = 8 * (big ? count - 1 - i : i);
-        value |= std::uint64_t{static_cast<std::uint8_t>(bytes[at + i])} << shift;
-    }
-    return value;
-}
-
 void add_to_png(std::string& bytes, std::string_view comment) {
     std::string chunk = "tEXt";
     chunk += kPngKeyword;
     chunk += comment;
-    const auto length = static_cast<std::uint32_t>(chunk.size() - 4);
+    std::string framed;
+    put_big_endian(framed, chunk.size() - 4, 4);
+    framed += chunk;
+    put_big_endian(framed, image::crc32(chunk), 4);
     // The header's chunk comes first: 13 bytes between 8 of length and name and 4 of checksum.
-    bytes.insert(kPngMagic.size() + 8 + 13 + 4, big32(length) + chunk + big32(image::crc32(chunk)));
+    bytes.insert(kPngMagic.size() + 8 + 13 + 4, framed);
 }
 
 std::string png_comment(std::string_view bytes) {
     std::size_t at = kPngMagic.size();
     while (bytes.size() - at >= 12) {
-        const std::size_t length = number(bytes, at, 4, true);
+        const std::size_t length = big_endian(bytes, at, 4);
         if (length > bytes.size() - at - 12) break;
         const std::string_view name = bytes.substr(at + 4, 4);
         const std::string_view value = bytes.substr(at + 8, length);
@@ -72,7 +57,7 @@ bool take_attribute(std::string_view& rest, std::string_view& name, std::string_
     if (name_end == 0 || name_end == std::string_view::npos) return false;
     const std::size_t type_end = rest.find('\0', name_end + 1);
     if (type_end == std::string_view::npos || rest.size() - type_end < 5) return false;
-    const std::size_t size = number(rest, type_end + 1, 4, false);
+    const std::size_t size = little_endian(rest, type_end + 1, 4);
     if (size > rest.size() - type_end - 5) return false;
     name = rest.substr(0, name_end);
     value = rest.substr(type_end + 5, size);
@@ -82,7 +67,7 @@ bool take_attribute(std::string_view& rest, std::string_view& name, std::string_
 
 void add_to_exr(std::string& bytes, std::string_view comment) {
     std::string attribute(kExrName);
-    attribute += little(comment.size(), 4);
+    put_little_endian(attribute, comment.size(), 4);
     attribute += comment;
     bytes.insert(kExrHeader, attribute);
     // Behind the header stands where each chunk begins, and the first one begins behind that.
@@ -92,9 +77,11 @@ void add_to_exr(std::string& bytes, std::string_view comment) {
     while (take_attribute(rest, name, value)) {
     }
     std::size_t at = bytes.size() - rest.size() + 1;
-    const std::size_t end = number(bytes, at, 8, false) + attribute.size();
+    const std::size_t end = little_endian(bytes, at, 8) + attribute.size();
     for (; at < end; at += 8) {
-        bytes.replace(at, 8, little(number(bytes, at, 8, false) + attribute.size(), 8));
+        std::string moved;
+        put_little_endian(moved, little_endian(bytes, at, 8) + attribute.size(), 8);
+        bytes.replace(at, 8, moved);
     }
 }
 

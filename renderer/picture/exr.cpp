@@ -9,11 +9,15 @@
 #include <bit>
 #include <cstdint>
 
+#include "ir/image/bytes.hpp"
 #include "ir/image/decoder.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
 namespace {
+
+using image::little_endian;
+using image::put_little_endian;
 
 enum Compression : std::uint8_t { kNone = 0, kRle = 1, kZips = 2, kZip = 3 };
 enum PixelType : std::uint32_t { kUint = 0, kHalf = 1, kFloat = 2 };
@@ -27,21 +31,17 @@ constexpr std::size_t lines_per_chunk(std::uint8_t compression) {
     return compression == kZip ? 16 : 1;
 }
 
-void put(std::string& out, std::uint64_t value, unsigned bytes) {
-    for (unsigned i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-}
-
 void put_attribute(std::string& out, std::string_view name, std::string_view type,
                    std::string_view value) {
     out.append(name).push_back('\0');
     out.append(type).push_back('\0');
-    put(out, value.size(), 4);
+    put_little_endian(out, value.size(), 4);
     out += value;
 }
 
 std::string packed(std::initializer_list<std::uint32_t> words) {
     std::string out;
-    for (const std::uint32_t word : words) put(out, word, 4);
+    for (const std::uint32_t word : words) put_little_endian(out, word, 4);
     return out;
 }
 
@@ -91,12 +91,6 @@ std::optional<std::string> expanded_runs(std::string_view bytes, std::size_t siz
     return out;
 }
 
-std::uint64_t get(std::string_view bytes, std::size_t at, unsigned count) {
-    std::uint64_t value = 0;
-    for (unsigned i = 0; i < count; ++i) value |= std::uint64_t{u8(bytes[at + i])} << (8 * i);
-    return value;
-}
-
 /// IEEE 754 half precision, exactly.
 float float_of_half(std::uint32_t half) {
     const std::uint32_t sign = (half & 0x8000) << 16;
@@ -136,7 +130,7 @@ class Reader {
     }
     std::uint32_t u32() {
         const std::string_view taken = bytes(4);
-        return ok_ ? static_cast<std::uint32_t>(get(taken, 0, 4)) : 0;
+        return ok_ ? static_cast<std::uint32_t>(little_endian(taken, 0, 4)) : 0;
     }
     std::string_view name() {
         const std::size_t end = rest_.find('\0');
@@ -187,7 +181,7 @@ std::string read_header(Reader& reader, Header& header) {
             header.compression = u8(value[0]);
         } else if (name == "dataWindow" && value.size() == 16) {
             const auto corner = [&value](std::size_t i) {
-                return std::int64_t{static_cast<std::int32_t>(get(value, i * 4, 4))};
+                return std::int64_t{static_cast<std::int32_t>(little_endian(value, i * 4, 4))};
             };
             header.x0 = corner(0), header.y0 = corner(1);
             header.x1 = corner(2), header.y1 = corner(3);
@@ -203,8 +197,8 @@ std::string read_header(Reader& reader, Header& header) {
 }
 
 float value_of(std::string_view raw, std::size_t at, std::uint32_t type) {
-    if (type == kHalf) return float_of_half(static_cast<std::uint32_t>(get(raw, at, 2)));
-    const auto bits = static_cast<std::uint32_t>(get(raw, at, 4));
+    if (type == kHalf) return float_of_half(static_cast<std::uint32_t>(little_endian(raw, at, 2)));
+    const auto bits = static_cast<std::uint32_t>(little_endian(raw, at, 4));
     return type == kUint ? static_cast<float>(bits) : std::bit_cast<float>(bits);
 }
 
@@ -247,7 +241,7 @@ Encoded encode_exr(const Plane32& plane) {
     Encoded result;
     std::string& out = result.bytes;
     out = "\x76\x2f\x31\x01";
-    put(out, kVersion, 4);
+    put_little_endian(out, kVersion, 4);
     std::string channels;
     for (const std::string_view name : {"B", "G", "R", "Y"}) {
         if ((name == "Y") != grey) continue;
@@ -277,17 +271,17 @@ Encoded encode_exr(const Plane32& plane) {
             for (std::uint32_t c = plane.channels; c-- > 0;) {
                 for (std::size_t x = 0; x < plane.width; ++x) {
                     const float value = plane.values[(line * plane.width + x) * plane.channels + c];
-                    put(raw, std::bit_cast<std::uint32_t>(value), 4);
+                    put_little_endian(raw, std::bit_cast<std::uint32_t>(value), 4);
                 }
             }
         }
         const std::string small = deflate(reordered(raw));
         const std::string& data = !small.empty() && small.size() < raw.size() ? small : raw;
         std::string offset;
-        put(offset, out.size(), 8);
+        put_little_endian(offset, out.size(), 8);
         out.replace(table, 8, offset);
-        put(out, y, 4);
-        put(out, data.size(), 4);
+        put_little_endian(out, y, 4);
+        put_little_endian(out, data.size(), 4);
         out += data;
     }
     return result;
@@ -324,7 +318,7 @@ Decoded decode_exr(std::string_view bytes, std::uint64_t max_pixels) {
         make_plane(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
     std::vector<bool> done(chunks);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-        const std::uint64_t offset = get(table, chunk * 8, 8);
+        const std::uint64_t offset = little_endian(table, chunk * 8, 8);
         if (offset > bytes.size()) return failed(kShort);
         Reader at(bytes.substr(offset));
         const std::int64_t y = std::int64_t{static_cast<std::int32_t>(at.u32())} - header.y0;

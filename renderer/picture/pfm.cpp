@@ -6,6 +6,7 @@
 
 #include <bit>
 
+#include "ir/image/bytes.hpp"
 #include "ir/image/decoder.hpp"
 #include "renderer/picture/codecs.hpp"
 
@@ -13,19 +14,13 @@ namespace cobble::renderer {
 namespace {
 
 void put_float(std::string& out, float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-        out.push_back(static_cast<char>(bits >> shift & 0xff));
-    }
+    image::put_little_endian(out, std::bit_cast<std::uint32_t>(value), 4);
 }
 
 float get_float(std::string_view bytes, std::size_t offset, bool little) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto byte = static_cast<std::uint8_t>(bytes[offset + i]);
-        bits |= static_cast<std::uint32_t>(byte) << (8 * (little ? i : 3 - i));
-    }
-    return std::bit_cast<float>(bits);
+    const std::uint64_t bits =
+        little ? image::little_endian(bytes, offset, 4) : image::big_endian(bytes, offset, 4);
+    return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
 }
 
 constexpr bool is_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }

@@ -25,9 +25,6 @@ constexpr std::array<Ending, 6> kEndings{{{".png", PictureFormat::kPng},
                                           {".hdr", PictureFormat::kHdr},
                                           {".exr", PictureFormat::kExr}}};
 
-/// The largest side that every 8-bit format and its libraries hold without overflow.
-constexpr std::uint32_t kMaxSide = 65535;
-
 bool ends_with_ignoring_case(std::string_view path, std::string_view ending) {
     if (path.size() < ending.size()) return false;
     const std::string_view tail = path.substr(path.size() - ending.size());

@@ -32,6 +32,9 @@ struct EncodeOptions {
 /// wrote can always be compared, merged and converted.
 inline constexpr std::uint64_t kMaxPixels = 0x7fffffffU / 12;
 
+/// The largest side that every format can name: TGA has 16 bits for it.
+inline constexpr std::uint32_t kMaxSide = 65535;
+
 /// What speaks against writing a picture of this size in any format, or "": known before there is
 /// one.
 std::string problem_of_size(std::uint64_t width, std::uint64_t height);

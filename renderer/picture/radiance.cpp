@@ -5,15 +5,13 @@
 #include <array>
 #include <bit>
 
+#include "ir/math/power_of_two.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
 namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
-
-/// 2^n as a double, -1022 <= n <= 1023: exact, and without the C library.
-double exp2_int(int n) { return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52); }
 
 /// Rounds to the nearest mantissas; the largest lies in [128, 255].
 Rgbe rgbe_of(const std::array<float, 3>& color) {
@@ -28,10 +26,10 @@ Rgbe rgbe_of(const std::array<float, 3>& color) {
     if (largest < 0x1p-127) return {};  // below the smallest exponent
     // The exponent field of a positive double: largest is in [2^(e-1), 2^e).
     int e = static_cast<int>(std::bit_cast<std::uint64_t>(largest) >> 52) - 1022;
-    if (largest * exp2_int(8 - e) + 0.5 >= 256) ++e;
+    if (largest * math::power_of_two(8 - e) + 0.5 >= 256) ++e;
     Rgbe result{};
     for (std::size_t c = 0; c < 3; ++c) {
-        result[c] = static_cast<std::uint8_t>(value[c] * exp2_int(8 - e) + 0.5);
+        result[c] = static_cast<std::uint8_t>(value[c] * math::power_of_two(8 - e) + 0.5);
     }
     result[3] = static_cast<std::uint8_t>(e + 128);
     return result;

@@ -33,7 +33,7 @@ PROBES = {
 MAY_SEE = {
     "source": {"source"},
     "math": {"math"},
-    "image": {"image"},
+    "image": {"math", "image"},
     "grammar": {"grammar"},
     "frontend": {"source", "grammar", "frontend"},
     "ir_scene": {"source", "math", "ir_scene"},

@@ -181,17 +181,24 @@ TEST_CASE("mirrors: a bounce adds the specular colour times what it sees") {
     CHECK(red(scene, settings) == doctest::Approx(1));
 }
 
-TEST_CASE("glass: Schlick's reflectance head on, and the index of air behind it") {
+/// No light but a white ambient one, all black behind, and a wall of glass of index 2 before the
+/// camera; material 1 is red.
+ir::Scene glass_scene() {
     ir::Scene scene = plain_scene(Compat::kA5);
     scene.lights.clear();
+    scene.background.ambient = {1, 1, 1};
+    scene.background.color = {};
     scene.materials[0].diffuse = {};
     scene.materials[0].specular = {1, 1, 1};
     scene.materials[0].refraction_index = 2;
     add_wall(scene, 0);
     scene.materials.push_back({});
     scene.materials[1].diffuse = {1, 0, 0};
-    scene.background.ambient = {1, 1, 1};
-    scene.background.color = {};
+    return scene;
+}
+
+TEST_CASE("glass: Schlick's reflectance head on, and the index of air behind it") {
+    ir::Scene scene = glass_scene();
     add_wall(scene, -3, 1);
     Settings settings = sized(3, 3);
     settings.bounces = 1;
@@ -203,17 +210,8 @@ TEST_CASE("glass: Schlick's reflectance head on, and the index of air behind it"
 }
 
 TEST_CASE("glass: a slab lets 64/81 through head on, and shifts what is seen askew") {
-    ir::Scene scene = plain_scene(Compat::kA5);
-    scene.lights.clear();
-    scene.background.ambient = {1, 1, 1};
-    scene.background.color = {};
-    scene.materials[0].diffuse = {};
-    scene.materials[0].specular = {1, 1, 1};
-    scene.materials[0].refraction_index = 2;
-    add_wall(scene, 0);
+    ir::Scene scene = glass_scene();
     add_wall(scene, -1, 0, -1);
-    scene.materials.push_back({});
-    scene.materials[1].diffuse = {1, 0, 0};
     // A ray of slope 1 meets the glass at x = 5; sin t = sin i / 2 = 0.35355, tan t = 0.37796; it
     // goes on with slope 1 from x = 5.37796 at z = -1.
     add_ball(scene, {0, 0, -3}, 0.05, 1);
@@ -231,21 +229,12 @@ TEST_CASE("glass: a slab lets 64/81 through head on, and shifts what is seen ask
 TEST_CASE("glass: beyond the critical angle all is mirrored") {
     // The camera is inside: the face it looks at is left, from index 1 (the program keeps no
     // account) into air; so begin outside, through a face that the ray crosses head on.
-    ir::Scene scene = plain_scene(Compat::kA5);
-    scene.lights.clear();
-    scene.background.ambient = {1, 1, 1};
-    scene.background.color = {};
-    scene.materials[0].diffuse = {};
-    scene.materials[0].specular = {1, 1, 1};
-    scene.materials[0].refraction_index = 2;
-    add_wall(scene, 0);
+    ir::Scene scene = glass_scene();
     // A slanted face, 45 degrees: sin = 0.707 times 2 is above 1, so the ray turns to -x.
     ir::Plane slanted;
     slanted.normal = math::normalize(math::Vec3d{1, 0, -1});
     slanted.offset = math::dot(slanted.normal, {0, 0, -1});
     add_plane(scene, slanted, 0);
-    scene.materials.push_back({});
-    scene.materials[1].diffuse = {1, 0, 0};
     add_ball(scene, {-2, 0, -1}, 0.1, 1);
     Settings settings = sized(3, 3);
     settings.bounces = 2;

@@ -47,9 +47,9 @@ TEST_CASE("other texts are no notes") {
     CHECK_FALSE(parse_shard_note(""));
     CHECK_FALSE(parse_shard_note("hello"));
     CHECK_FALSE(parse_shard_note("cobble shard "));
-    for (std::size_t size = 0; size < good.find(" settings"); ++size) {
-        // Cut within its last number, it is another number.
-        if (size > good.find(" seed ") + 6) break;
+    // Cut within the last number that it needs, it is another number: the cuts end before it.
+    const std::size_t last_number = good.find(" seed ") + 6;
+    for (std::size_t size = 0; size <= last_number; ++size) {
         CAPTURE(size);
         CHECK_FALSE(parse_shard_note(good.substr(0, size)));
     }

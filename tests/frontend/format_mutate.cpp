@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -146,6 +147,20 @@ void mutate(std::string& text, std::string_view other, Random& random) {
             text.insert(random.below(text.size() + 1), line);
         }
     }
+}
+
+std::string damaged(const std::vector<std::string>& texts, Random& random) {
+    std::string text = texts[random.below(texts.size())];
+    const std::string& other = texts[random.below(texts.size())];
+    do {
+        mutate(text, other, random);
+    } while (random.below(2) == 0);
+    return text;
+}
+
+int wanted_runs(int usual) {
+    const char* wanted = std::getenv("COBBLE_MUTATIONS");
+    return wanted != nullptr ? std::atoi(wanted) : usual;
 }
 
 std::vector<std::string> scene_texts() {

@@ -34,6 +34,15 @@ class Random {
 /// One change at a random place; `other` is a text to take a piece from.
 void mutate(std::string& text, std::string_view other, Random& random);
 
+/// The generator of one run: any numbers, but the same ones, so that a failure can be repeated.
+inline Random random_of(int run) { return Random(20120401U + static_cast<std::uint64_t>(run)); }
+
+/// One of `texts`, damaged: half of all results have one flaw, few have many.
+std::string damaged(const std::vector<std::string>& texts, Random& random);
+
+/// How many damaged scenes to try: COBBLE_MUTATIONS of the environment, else `usual`.
+int wanted_runs(int usual);
+
 /// All scene texts to hand: this project's own, and the published ones where they are. In order of
 /// their paths.
 std::vector<std::string> scene_texts();

@@ -5,7 +5,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -116,19 +115,12 @@ TEST_CASE("scenes format once and for all") {
 
 TEST_CASE("damaged scenes keep every token and comment") {
     const auto texts = testing::scene_texts();
-    const char* wanted = std::getenv("COBBLE_MUTATIONS");
-    const int runs = wanted != nullptr ? std::atoi(wanted) : 3000;
-    constexpr std::uint64_t kSeed = 20120401;  // any; fixed so that a failure can be repeated
+    const int runs = testing::wanted_runs(3000);
     int broken = 0;
     int left_alone = 0;
     for (int run = 0; run < runs; ++run) {
-        testing::Random random(kSeed + static_cast<std::uint64_t>(run));
-        std::string text = texts[random.below(texts.size())];
-        const std::string& other = texts[random.below(texts.size())];
-        // Half of all texts have one flaw, few have many.
-        do {
-            testing::mutate(text, other, random);
-        } while (random.below(2) == 0);
+        testing::Random random = testing::random_of(run);
+        const std::string text = testing::damaged(texts, random);
         const FormatResult result = format(text);
         broken += result.has_errors;
         left_alone += result.left_alone;

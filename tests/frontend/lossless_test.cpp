@@ -2,7 +2,6 @@
 // Nothing of a file is lost in its tokens and its tree, whatever it looks like.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -89,8 +88,7 @@ TEST_CASE("line ends and indentation do not change the tree of a good file") {
 }
 
 TEST_CASE("damaged files keep every byte and every token") {
-    const char* wanted = std::getenv("COBBLE_MUTATIONS");
-    const int count = wanted != nullptr ? std::atoi(wanted) : 4000;
+    const int count = frontend::testing::wanted_runs(4000);
     const std::vector<std::string> originals = texts();
     frontend::testing::Random random(1);
     for (int i = 0; i < count; ++i) {

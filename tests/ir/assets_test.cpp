@@ -293,6 +293,9 @@ TEST_CASE("problems of a mesh stand in the mesh, with the scene's path beside th
         const auto many = with_mesh(files, kTriangle + "a\nb\nc\nd\ne\nh\n");
         REQUIRE(many.codes().size() == 5);
         CHECK(many.lowered.diagnostics[4].notes == Strings{"other words are not listed"});
+        const auto all = with_mesh(files, kTriangle + "a\nb\nc\nd\ne\na\n");
+        REQUIRE(all.codes().size() == 5);
+        CHECK(all.lowered.diagnostics[4].notes.empty());
     }
     SUBCASE("too many faces") {
         files.files["scene/m.obj"] = kTriangle + "f 1 2 3\nf 1 2 3\n";

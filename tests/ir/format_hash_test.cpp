@@ -3,7 +3,6 @@
 // and meshes included. COBBLE_MUTATIONS=N tries N damaged scenes in place of 1000.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -64,18 +63,12 @@ TEST_CASE("a formatted scene has the hash of the scene") {
 
 TEST_CASE("a damaged scene that is still clean keeps its hash") {
     const auto texts = frontend::testing::scene_texts();
-    const char* wanted = std::getenv("COBBLE_MUTATIONS");
-    const int runs = wanted != nullptr ? std::atoi(wanted) : 1000;
-    constexpr std::uint64_t kSeed = 20120401;  // any; fixed so that a failure can be repeated
+    const int runs = frontend::testing::wanted_runs(1000);
     int changed = 0;
     int clean = 0;
     for (int run = 0; run < runs; ++run) {
-        frontend::testing::Random random(kSeed + static_cast<std::uint64_t>(run));
-        std::string text = texts[random.below(texts.size())];
-        const std::string& other = texts[random.below(texts.size())];
-        do {
-            frontend::testing::mutate(text, other, random);
-        } while (random.below(2) == 0);
+        frontend::testing::Random random = frontend::testing::random_of(run);
+        const std::string text = frontend::testing::damaged(texts, random);
         const frontend::FormatResult formatted = frontend::format(text);
         changed += formatted.text != text;
         MemoryFiles none;

@@ -98,11 +98,21 @@ CLI::Option* require_above(CLI::Option* option, double low) {
     });
 }
 
+void add_stdin_path(CLI::App& app, std::string& path) {
+    app.add_option("--stdin-filepath", path,
+                   "Where standard input is taken to be: paths in it start there")
+        ->type_name("P");
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& names) {
+    const std::string_view similar = frontend::nearest_name(name, names);
+    return similar.empty() ? std::string() : fmt::format("; did you mean '{}'?", similar);
+}
+
 std::string similar_code(std::string_view name) {
     std::vector<std::string_view> names;
     for (const auto* code : source::all_codes()) names.push_back(code->code);
-    const auto similar = frontend::nearest_name(name, names);
-    return similar.empty() ? std::string() : "; did you mean '" + std::string(similar) + "'?";
+    return did_you_mean(name, names);
 }
 
 bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of command-line options that several commands read.
+// Kinds of command-line options, and what several commands share in reading them.
 #pragma once
 
 #include <cstdint>
@@ -53,7 +53,13 @@ CLI::Option* require_number(CLI::Option* option, double low,
                             double high = std::numeric_limits<double>::infinity());
 CLI::Option* require_above(CLI::Option* option, double low);
 
-/// "; did you mean 'X'?", or "" if no registered code is near.
+/// Where standard input is taken to be.
+void add_stdin_path(CLI::App& app, std::string& path);
+
+/// "; did you mean 'X'?" with the one of `names` that is nearest to `name`, or "" if none is near.
+std::string did_you_mean(std::string_view name, const std::vector<std::string_view>& names);
+
+/// The same among the codes of diagnostics.
 std::string similar_code(std::string_view name);
 
 /// False, after complaining, if --stdin-filepath was given (`stdin_path` is not empty) although

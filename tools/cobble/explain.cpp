@@ -149,9 +149,7 @@ void add_explain(CLI::App& app, Context& context) {
     sub->add_option("CODE|SCENE", options->subject,
                     "A code such as unexpected-argument, or a scene file (./FILE is always a "
                     "file); nothing lists all codes");
-    sub->add_option("--stdin-filepath", options->stdin_path,
-                    "Where standard input is taken to be: paths in it start there")
-        ->type_name("P");
+    add_stdin_path(*sub, options->stdin_path);
     sub->callback([options, &context] {
         context.run = [options, &context] { return run(*options, context); };
     });

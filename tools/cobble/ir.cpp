@@ -47,9 +47,7 @@ void add_ir(CLI::App& app, Context& context) {
     sub->add_flag("--hash", options->hash,
                   "Print its SHA-256 instead, which is the same for files that mean the same");
     sub->add_flag("--keep-going", options->keep_going, "Print what is sound of a broken scene");
-    sub->add_option("--stdin-filepath", options->stdin_path,
-                    "Where standard input is taken to be: paths in it start there")
-        ->type_name("P");
+    add_stdin_path(*sub, options->stdin_path);
     sub->callback([options, &context] {
         context.run = [options, &context] { return run(*options, context); };
     });

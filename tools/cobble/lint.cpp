@@ -200,9 +200,7 @@ void add_lint(CLI::App& app, Context& context) {
     add_list(*sub, "--deny", options->denied, "Treat this diagnostic as an error")
         ->type_name("CODE");
     add_list(*sub, "--allow", options->allowed, "Drop this diagnostic")->type_name("CODE");
-    sub->add_option("--stdin-filepath", options->stdin_path,
-                    "Where standard input is taken to be: paths in it start there")
-        ->type_name("P");
+    add_stdin_path(*sub, options->stdin_path);
     sub->callback([options, &context] {
         context.run = [options, &context] { return Lint(*options, context).run(); };
     });

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "frontend/names/suggest.hpp"
+#include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/help.hpp"
 #include "tools/cobble/interrupt.hpp"
@@ -72,10 +72,8 @@ std::string wrong_command(const CLI::App& app, const std::vector<std::string>& a
     }
     if (std::find(names.begin(), names.end(), first) != names.end()) return {};
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view similar = frontend::nearest_name(first, views);
-    std::string text = "there is no command '" + first + "'";
-    if (!similar.empty()) text += "; did you mean '" + std::string(similar) + "'?";
-    return text + " (`cobble --help` lists the commands)";
+    return "there is no command '" + first + "'" + did_you_mean(first, views) +
+           " (`cobble --help` lists the commands)";
 }
 
 int finish(Context& context, int status) {

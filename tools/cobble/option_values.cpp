@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "renderer/picture/picture_io.hpp"
 #include "tools/driver/numbers.hpp"
 
 namespace cobble {
@@ -20,7 +21,7 @@ std::optional<std::vector<Number>> read(std::string_view text, char separator, s
 }  // namespace
 
 std::optional<Size> parse_size(std::string_view text) {
-    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= kMaxSide; };
+    const auto fits = [](std::uint32_t side) { return side >= 1 && side <= renderer::kMaxSide; };
     const auto n = read<std::uint32_t>(text, 'x', 2);
     if (!n || !fits((*n)[0]) || !fits((*n)[1])) return std::nullopt;
     return Size{(*n)[0], (*n)[1]};

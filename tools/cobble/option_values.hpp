@@ -12,13 +12,10 @@
 
 namespace cobble {
 
-/// The largest side that every picture format can name (TGA has 16 bits).
-inline constexpr std::uint32_t kMaxSide = 65535;
-
 struct Size {
     std::uint32_t width = 640, height = 480;
 };
-/// "WxH", both from 1 to kMaxSide.
+/// "WxH", both from 1 to renderer::kMaxSide.
 std::optional<Size> parse_size(std::string_view text);
 std::string to_text(const Size& size);
 

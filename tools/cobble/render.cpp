@@ -153,13 +153,15 @@ class Render {
 
     // Every plane stands in memory twice, in the job and as its result, and encoded once more.
     [[nodiscard]] std::string check_memory() const {
-        const std::uint64_t pixels = std::uint64_t{view_.settings.width} * view_.settings.height;
+        const renderer::Crop window = renderer::window_of(view_.settings);
+        const Size size{window.x1 - window.x0, window.y1 - window.y0};
+        const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
         const std::uint64_t needed = pixels * 12 * 3 * targets_.size();
         const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                             static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
-        if (needed <= memory || view_.settings.crop) return {};
+        if (needed <= memory) return {};
         return fmt::format("a picture of {} pixels takes {} GiB of memory, and this machine has {}",
-                           to_text(options_.view.size), needed >> 30U, memory >> 30U);
+                           to_text(size), needed >> 30U, memory >> 30U);
     }
 
     int render() {

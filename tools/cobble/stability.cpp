@@ -53,9 +53,7 @@ void add_stability(CLI::App& app, Context& context) {
     sub->add_flag("--json", options->json, "Print JSON");
     sub->add_flag("--keep-going", options->view.keep_going,
                   "Measure what is sound of a scene with errors");
-    sub->add_option("--stdin-filepath", options->view.stdin_path,
-                    "Where standard input is taken to be: paths in it start there")
-        ->type_name("P");
+    add_stdin_path(*sub, options->view.stdin_path);
     sub->footer(
         "Rays from the camera at vertices, edges, outlines and faces are cast in float and in "
         "double.\nA crack: float sees through. Changed: it sees what is not there. A self-hit: a "

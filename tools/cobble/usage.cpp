@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "frontend/names/suggest.hpp"
+#include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 
 namespace cobble {
@@ -32,9 +32,7 @@ std::string unknown_option(const CLI::App& command) {
     for (const std::string& argument : command.remaining()) {
         if (argument.size() < 2 || !argument.starts_with('-')) continue;
         const std::string name = argument.substr(0, argument.find('='));
-        const std::string_view similar = frontend::nearest_name(name, views);
-        return "there is no option '" + name + "'" +
-               (similar.empty() ? "" : "; did you mean '" + std::string(similar) + "'?");
+        return "there is no option '" + name + "'" + did_you_mean(name, views);
     }
     return {};
 }

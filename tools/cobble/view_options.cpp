@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ir/effects.hpp"
+#include "renderer/picture/picture_io.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/driver/report/reporter.hpp"
@@ -79,8 +80,8 @@ std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
 
 void add_size_option(CLI::App& sub, ViewOptions& options) {
     add_parsed(sub, "--size", "WxH",
-               fmt::format("WxH of 1 to {} pixels a side, such as 640x480", kMaxSide), parse_size,
-               options.size, "Size of the picture in pixels")
+               fmt::format("WxH of 1 to {} pixels a side, such as 640x480", renderer::kMaxSide),
+               parse_size, options.size, "Size of the picture in pixels")
         ->default_str(to_text(options.size));
 }
 
@@ -128,9 +129,7 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
         ->type_name("D");
     sub.add_flag("--keep-going", options.keep_going,
                  "Render a scene with errors: what is broken is left out or shown in magenta");
-    sub.add_option("--stdin-filepath", options.stdin_path,
-                   "Where standard input is taken to be: paths in it start there")
-        ->type_name("P");
+    add_stdin_path(sub, options.stdin_path);
     for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
         const auto effect = static_cast<ir::Effect>(i);
         const std::string flags = fmt::format("--{0},!--no-{0}", ir::name_of(effect));

@@ -171,9 +171,8 @@ ShardNote shard_note(const ir::Scene& scene, const renderer::Settings& settings,
 
 std::string to_text(const ShardNote& note) {
     return fmt::format(
-        "{}{}/{} of {} at {} tiles {} picture {} scene {} samples {} seed {} settings {} version "
-        "{} "
-        "complete {}",
+        "{}{}/{} of {} at {} tiles {} picture {} scene {} samples {} seed {} settings {} "
+        "version {} complete {}",
         kPrefix, note.index, note.count, size_of(note.width, note.height), text_of(note.window),
         note.tile_size, note.picture, note.scene, note.samples, note.seed, note.settings,
         note.version, note.complete ? "yes" : "no");

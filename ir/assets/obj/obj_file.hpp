@@ -39,6 +39,7 @@ struct ObjFile {
     /// Lines that begin with no keyword of the format: the first one of each word, and of
     /// kMaxObjRemarks words at most. They leave the mesh as it is. Empty under kPublished.
     std::vector<ObjProblem> remarks;
+    bool more_remarks = false;  ///< there were other such words
 };
 
 /// More than these are counted, not listed: one cause tends to break every line of a file.

@@ -143,11 +143,13 @@ class Reader {
         const char* stop = p + 1;  // a lone backslash is a word too
         while (!ends_word(stop)) ++stop;
         const std::string_view word(p, static_cast<std::size_t>(stop - p));
-        if (file_.remarks.size() == kMaxObjRemarks || is_obj_keyword(word)) return;
+        if (is_obj_keyword(word)) return;
         const auto same = [&](const ObjProblem& remark) {
             return word == std::string_view(begin_ + remark.begin, begin_ + remark.end);
         };
         if (std::ranges::any_of(file_.remarks, same)) return;
+        file_.more_remarks = file_.remarks.size() == kMaxObjRemarks;
+        if (file_.more_remarks) return;
         file_.remarks.push_back(
             {&kObjKeyword, static_cast<std::uint32_t>(at(p)), static_cast<std::uint32_t>(at(stop)),
              "unknown keyword '" + shortened(p, stop) + "', the line is not read"});
