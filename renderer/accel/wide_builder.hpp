@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "renderer/accel/builder.hpp"
@@ -33,5 +34,13 @@ struct WideBuild {
 template <typename T>
 WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items,
                              const std::atomic<bool>* cancelled = nullptr);
+
+/// The tree itself: the nodes, with copies of the triangles and spheres in its blocks. An item's
+/// index is that of its primitive in the array of its kind.
+template <typename T>
+WideTree<T> make_wide_tree(std::vector<BuildItem<T>>& items,
+                           std::span<const TrianglePrimitive<T>> triangles,
+                           std::span<const SpherePrimitive<T>> spheres,
+                           const std::atomic<bool>* cancelled = nullptr);
 
 }  // namespace cobble::renderer

@@ -6,7 +6,7 @@
 
 #include "renderer/intersect/query.hpp"
 #include "renderer/intersect/traversal.hpp"
-#include "renderer/intersect/wide.hpp"
+#include "renderer/intersect/wide/wide.hpp"
 
 namespace cobble::renderer {
 

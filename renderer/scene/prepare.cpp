@@ -375,7 +375,7 @@ class Preparation {
             triangles.push_back({v, id, f});
         }
         if (fast()) {
-            placed.wide = wide_tree(items, triangles, {});
+            placed.wide = make_wide_tree<T>(items, triangles, {}, options().cancelled);
         } else {
             placed.tree = build_tree(items, options().cancelled);
             if (cancelled()) items.clear();
@@ -387,53 +387,9 @@ class Preparation {
 
     [[nodiscard]] bool fast() const { return options().acceleration == Acceleration::kFast; }
 
-    /// The fast core's tree, with copies of the triangles and spheres in its blocks.
-    WideTree<T> wide_tree(std::vector<BuildItem<T>>& items,
-                          const std::vector<TrianglePrimitive<T>>& triangles,
-                          const std::vector<SpherePrimitive<T>>& spheres) {
-        WideBuild<T> build = build_wide_tree(items, options().cancelled);
-        WideTree<T> tree;
-        tree.bounds = build.bounds;
-        tree.nodes = std::move(build.nodes);
-        tree.triangles.resize(build.triangle_blocks.size());
-        for (std::size_t b = 0; b < build.triangle_blocks.size(); ++b) {
-            const LeafRange range = build.triangle_blocks[b];
-            for (std::uint32_t lane = 0; lane < range.count; ++lane) {
-                const auto& from = triangles[items[range.first + lane].index];
-                set_lane(tree.triangles[b], lane, from);
-            }
-        }
-        tree.spheres.resize(build.sphere_blocks.size());
-        for (std::size_t b = 0; b < build.sphere_blocks.size(); ++b) {
-            const LeafRange range = build.sphere_blocks[b];
-            for (std::uint32_t lane = 0; lane < range.count; ++lane) {
-                const auto& from = spheres[items[range.first + lane].index];
-                set_lane(tree.spheres[b], lane, from);
-            }
-        }
-        return tree;
-    }
-
-    static void set_lane(TriangleBlock<T>& block, std::uint32_t lane,
-                         const TrianglePrimitive<T>& from) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                block.vertices[corner][axis][lane] = from.vertices[corner][axis];
-            }
-        }
-        block.object[lane] = from.object;
-        block.face[lane] = from.face;
-    }
-    static void set_lane(SphereBlock<T>& block, std::uint32_t lane,
-                         const SpherePrimitive<T>& from) {
-        for (std::size_t axis = 0; axis < 3; ++axis) block.center[axis][lane] = from.center[axis];
-        block.radius[lane] = from.radius;
-        block.object[lane] = from.object;
-    }
-
     void build_fast() {
         Geometry<T>& g = geometry();
-        g.wide = wide_tree(items_, g.triangles, g.spheres);
+        g.wide = make_wide_tree<T>(items_, g.triangles, g.spheres, options().cancelled);
         for (const auto& box : g.boxes) g.box_objects.push_back(box.object);
         g.triangles = {};
         g.spheres = {};

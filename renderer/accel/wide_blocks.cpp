@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <utility>
+
+#include "renderer/accel/wide_builder.hpp"
+
+namespace cobble::renderer {
+
+namespace {
+
+template <typename T>
+void set_lane(TriangleBlock<T>& block, std::uint32_t lane, const TrianglePrimitive<T>& from) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            block.vertices[corner][axis][lane] = from.vertices[corner][axis];
+        }
+    }
+    block.object[lane] = from.object;
+    block.face[lane] = from.face;
+}
+
+template <typename T>
+void set_lane(SphereBlock<T>& block, std::uint32_t lane, const SpherePrimitive<T>& from) {
+    for (std::size_t axis = 0; axis < 3; ++axis) block.center[axis][lane] = from.center[axis];
+    block.radius[lane] = from.radius;
+    block.object[lane] = from.object;
+}
+
+template <typename T, typename Block, typename Primitive>
+void fill(std::vector<Block>& blocks, const std::vector<LeafRange>& ranges,
+          const std::vector<BuildItem<T>>& items, std::span<const Primitive> primitives) {
+    blocks.resize(ranges.size());
+    for (std::size_t b = 0; b < ranges.size(); ++b) {
+        for (std::uint32_t lane = 0; lane < ranges[b].count; ++lane) {
+            set_lane(blocks[b], lane, primitives[items[ranges[b].first + lane].index]);
+        }
+    }
+}
+
+}  // namespace
+
+template <typename T>
+WideTree<T> make_wide_tree(std::vector<BuildItem<T>>& items,
+                           std::span<const TrianglePrimitive<T>> triangles,
+                           std::span<const SpherePrimitive<T>> spheres,
+                           const std::atomic<bool>* cancelled) {
+    WideBuild<T> build = build_wide_tree(items, cancelled);
+    WideTree<T> tree;
+    tree.bounds = build.bounds;
+    tree.nodes = std::move(build.nodes);
+    fill(tree.triangles, build.triangle_blocks, items, triangles);
+    fill(tree.spheres, build.sphere_blocks, items, spheres);
+    return tree;
+}
+
+template WideTree<float> make_wide_tree(std::vector<BuildItem<float>>&,
+                                        std::span<const TrianglePrimitive<float>>,
+                                        std::span<const SpherePrimitive<float>>,
+                                        const std::atomic<bool>*);
+template WideTree<double> make_wide_tree(std::vector<BuildItem<double>>&,
+                                         std::span<const TrianglePrimitive<double>>,
+                                         std::span<const SpherePrimitive<double>>,
+                                         const std::atomic<bool>*);
+
+}  // namespace cobble::renderer

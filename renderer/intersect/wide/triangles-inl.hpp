@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// A block of triangles at once: what its edge functions and boxes leave open is decided one by one.
+//
+// Read again for each instruction set, so that its guard is Highway's and not a pragma.
+#if defined(COBBLE_TRIANGLES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef COBBLE_TRIANGLES_INL
+#undef COBBLE_TRIANGLES_INL
+#else
+#define COBBLE_TRIANGLES_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "renderer/accel/wide_tree.hpp"
+#include "renderer/intersect/query.hpp"
+#include "renderer/intersect/wide/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cobble::renderer::HWY_NAMESPACE {
+
+/// What the edge functions and the triangle's own box leave open of a block.
+template <typename T>
+struct BlockHits {
+    std::uint32_t open = 0;  ///< lanes that may hold a better hit: all others surely do not
+    std::uint32_t inside =
+        0;  ///< those of them that the line surely meets, between t_min and t_max
+    alignas(32) T points[3][2][kBlockLanes];  ///< of the open ones: corner, sheared x and y
+};
+
+template <bool kParallel, typename T>
+HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray, T t_min, T t_best,
+                           BlockHits<T>& hits) {
+    using D = hn::CappedTag<T, kBlockLanes>;
+    const D d;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const RayShear<T>& s = ray.shear;
+    const auto least = hn::Set(d, detail::kEdgeThreshold<T>);
+    const auto most = hn::Set(d, std::numeric_limits<T>::max());
+    const auto zero = hn::Zero(d);
+    const auto sx = hn::Set(d, s.sx);
+    const auto sy = hn::Set(d, s.sy);
+    const auto ox = hn::Set(d, s.origin[s.kx]);
+    const auto oy = hn::Set(d, s.origin[s.ky]);
+    const auto oz = hn::Set(d, s.origin[s.kz]);
+    for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
+        const auto corner = [&](std::size_t i, std::size_t axis)
+                                HWY_ATTR { return hn::Load(d, block.vertices[i][axis] + part); };
+        const auto az = hn::Sub(corner(0, s.kz), oz);
+        const auto bz = hn::Sub(corner(1, s.kz), oz);
+        const auto cz = hn::Sub(corner(2, s.kz), oz);
+        const auto ax = hn::Sub(hn::Sub(corner(0, s.kx), ox), hn::Mul(sx, az));
+        const auto bx = hn::Sub(hn::Sub(corner(1, s.kx), ox), hn::Mul(sx, bz));
+        const auto cx = hn::Sub(hn::Sub(corner(2, s.kx), ox), hn::Mul(sx, cz));
+        const auto ay = hn::Sub(hn::Sub(corner(0, s.ky), oy), hn::Mul(sy, az));
+        const auto by = hn::Sub(hn::Sub(corner(1, s.ky), oy), hn::Mul(sy, bz));
+        const auto cy = hn::Sub(hn::Sub(corner(2, s.ky), oy), hn::Mul(sy, cz));
+        const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+        const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+        const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+        const auto au = hn::Abs(u);
+        const auto av = hn::Abs(v);
+        const auto aw = hn::Abs(w);
+        // Written so that NaN and infinity are "not sure".
+        const auto sure =
+            hn::And(hn::And(hn::Ge(au, least), hn::Ge(av, least)),
+                    hn::And(hn::Ge(aw, least), hn::Le(hn::Add(hn::Add(au, av), aw), most)));
+        const auto below = hn::Or(hn::Or(hn::Lt(u, zero), hn::Lt(v, zero)), hn::Lt(w, zero));
+        const auto above = hn::Or(hn::Or(hn::Gt(u, zero), hn::Gt(v, zero)), hn::Gt(w, zero));
+        auto open = hn::Not(hn::And(sure, hn::And(below, above)));
+        if (HWY_LIKELY(hn::AllFalse(d, open))) continue;
+
+        auto near = hn::Set(d, std::numeric_limits<T>::lowest());
+        auto far = most;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const auto lo = hn::Min(hn::Min(corner(0, a), corner(1, a)), corner(2, a));
+            const auto hi = hn::Max(hn::Max(corner(0, a), corner(1, a)), corner(2, a));
+            const auto o = hn::Set(d, ray.slabs.origin[a]);
+            if constexpr (kParallel) {
+                if (ray.slabs.parallel[a]) {
+                    open = hn::And(open, hn::And(hn::Le(lo, o), hn::Ge(hi, o)));
+                    continue;
+                }
+            }
+            const bool negative = ray.slabs.negative[a];
+            near = hn::Max(
+                near, hn::Mul(hn::Sub(negative ? hi : lo, o), hn::Set(d, ray.slabs.inverse[a])));
+            far = hn::Min(
+                far, hn::Mul(hn::Sub(negative ? lo : hi, o), hn::Set(d, ray.slabs.inverse_far[a])));
+        }
+        const auto min = hn::Set(d, t_min);
+        const auto best = hn::Set(d, t_best);
+        open = hn::And(hn::And(open, hn::Le(near, far)),
+                       hn::And(hn::Gt(far, min), hn::Le(near, best)));
+        if (hn::AllFalse(d, open)) continue;
+        hits.open |= bits_of(d, open) << part;
+        hits.inside |=
+            bits_of(d, hn::And(hn::And(open, sure), hn::And(hn::Gt(near, min), hn::Lt(far, best))))
+            << part;
+        hn::Store(ax, d, hits.points[0][0] + part);
+        hn::Store(ay, d, hits.points[0][1] + part);
+        hn::Store(bx, d, hits.points[1][0] + part);
+        hn::Store(by, d, hits.points[1][1] + part);
+        hn::Store(cx, d, hits.points[2][0] + part);
+        hn::Store(cy, d, hits.points[2][1] + part);
+    }
+}
+
+/// One open lane, as intersect_triangle() and test_triangle() go on with it.
+template <typename T>
+HWY_NOINLINE void offer_lane(const TriangleBlock<T>& block, std::size_t lane,
+                             const BlockHits<T>& hits, ir::ObjectId object, std::uint32_t face,
+                             const RayForms<T>& ray, Search<T>& search) {
+    std::array<math::Vec3<T>, 3> vertices;
+    std::array<detail::ShearedPoint<T>, 3> points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        vertices[i] = {block.vertices[i][0][lane], block.vertices[i][1][lane],
+                       block.vertices[i][2][lane]};
+        points[i] = {hits.points[i][0][lane], hits.points[i][1][lane]};
+    }
+    const auto hit = detail::triangle_in_wide(ray.shear, vertices, points, search.rule);
+    if (!hit) return;
+    const Span<T> span = slab_span(ray.slabs, bounds_of(vertices));
+    search.offer(clamp_to(span, hit->t), object, face, hit->u, hit->v);
+}
+
+/// Any hit that is sure needs no t: its place in the order is not asked.
+template <bool kAny, bool kParallel, typename T>
+HWY_INLINE void test_block(const TriangleBlock<T>& block, std::uint32_t count, ir::ObjectId placed,
+                           const RayForms<T>& ray, Search<T>& search) {
+    search.primitive_tests += count;
+    BlockHits<T> hits;
+    test_edges<kParallel>(block, ray, search.t_min, search.best.t, hits);
+    std::uint32_t bits = hits.open & ((1U << count) - 1);
+    while (bits != 0) {
+        const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+        bits &= bits - 1;
+        const ir::ObjectId object = placed.valid() ? placed : block.object[lane];
+        const std::uint32_t face = block.face[lane];
+        if (object == search.exclude.object && face == search.exclude.face) continue;
+        if constexpr (kAny) {
+            if ((hits.inside >> lane & 1) != 0 && search.instance_near < search.best.t) {
+                search.best.object = object;
+                return;
+            }
+        }
+        offer_lane(block, lane, hits, object, face, ray, search);
+        if constexpr (kAny) {
+            if (search.best.object.valid()) return;
+        }
+    }
+}
+
+}  // namespace cobble::renderer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
