@@ -125,7 +125,8 @@ class Render {
         renderer::Settings& settings = view_.settings;
         if (settings.crop &&
             (settings.crop->x0 >= settings.width || settings.crop->y0 >= settings.height)) {
-            return "--crop: the rectangle lies outside the picture";
+            return "--crop: the rectangle lies outside the picture of " +
+                   to_text(options_.view.size);
         }
         if (options_.reference) settings.acceleration = renderer::Acceleration::kBvh;
         if (options_.filter == "tent") settings.filter = renderer::PixelFilter::kTent;
