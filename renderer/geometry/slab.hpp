@@ -41,6 +41,15 @@ struct RaySlabs {
             any_parallel = any_parallel || parallel[i];
         }
     }
+
+    /// With what another of these has computed, of a ray that is parallel to no axis.
+    RaySlabs(math::Vec3<T> from, math::Vec3<T> inverses, math::Vec3<T> far_inverses)
+        : origin(from), inverse(inverses), inverse_far(far_inverses) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            negative[i] = inverse[i] < 0;
+            parallel[i] = false;
+        }
+    }
 };
 
 /// The part of a ray inside a box, not clipped by where the ray starts or ends; empty if !(near <=

@@ -29,6 +29,8 @@ struct RayForms {
 
     RayForms(math::Vec3<T> origin, math::Vec3<T> direction)
         : slabs(origin, direction), shear(origin, direction) {}
+    RayForms(const RaySlabs<T>& of_slabs, const RayShear<T>& of_shear)
+        : slabs(of_slabs), shear(of_shear) {}
 };
 
 /// What is searched and what is found. `best.t` always bounds what may still count. With kAll every

@@ -58,7 +58,10 @@ inline void end_search(const Search<float>& search, Packet& p, std::size_t ray) 
 }
 
 inline RayForms<float> forms_of(const Packet& p, std::size_t ray) {
-    return RayForms<float>(p.rays[ray].origin, p.rays[ray].direction);
+    const auto row = [ray](const float(&rows)[3][kPacketRays]) {
+        return math::Vec3<float>{rows[0][ray], rows[1][ray], rows[2][ray]};
+    };
+    return {{p.rays[ray].origin, row(p.inverse), row(p.inverse_far)}, shear_of(p, ray)};
 }
 
 /// Computes t, u and v of the triangle that is ahead, if there is one.
