@@ -89,23 +89,16 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
     const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
     const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
     const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-    const auto au = hn::Abs(u);
-    const auto av = hn::Abs(v);
-    const auto aw = hn::Abs(w);
-    const auto least = hn::Set(d, detail::kEdgeThreshold<float>);
-    const auto most = hn::Set(d, std::numeric_limits<float>::max());
-    const auto zero = hn::Zero(d);
-    // Written so that NaN and infinity are "not sure".
-    const auto sure =
-        hn::And(hn::And(hn::Ge(au, least), hn::Ge(av, least)),
-                hn::And(hn::Ge(aw, least), hn::Le(hn::Add(hn::Add(au, av), aw), most)));
-    const auto below = hn::Or(hn::Or(hn::Lt(u, zero), hn::Lt(v, zero)), hn::Lt(w, zero));
-    const auto above = hn::Or(hn::Or(hn::Gt(u, zero), hn::Gt(v, zero)), hn::Gt(w, zero));
-    const auto open = hn::Not(hn::And(sure, hn::And(below, above)));
+    const auto error = edge_errors(
+        d,
+        hn::Add(hn::Add(hn::Add(hn::Abs(ax), hn::Abs(ay)), hn::Add(hn::Abs(bx), hn::Abs(by))),
+                hn::Add(hn::Abs(cx), hn::Abs(cy))),
+        hn::Add(hn::Add(hn::Abs(az), hn::Abs(bz)), hn::Abs(cz)));
+    const auto open = hn::Not(surely_outside(d, u, v, w, error));
     if (hn::AllFalse(d, open)) return;
 
     auto near = hn::Set(d, std::numeric_limits<float>::lowest());
-    auto far = most;
+    auto far = hn::Set(d, std::numeric_limits<float>::max());
     for (std::size_t a = 0; a < 3; ++a) {
         float lo = block.vertices[0][a][lane];
         float hi = lo;
@@ -127,7 +120,7 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
         hn::And(hn::And(open, hn::Le(near, far)), hn::And(hn::Gt(far, min), hn::Le(near, bound)));
     std::uint32_t bits = bits_of(d, left);
     if (bits == 0) return;
-    const std::uint32_t sure_bits = bits_of(d, sure);
+    const std::uint32_t sure_bits = bits_of(d, surely_inside(d, u, v, w));
     alignas(64) float nears[Packet::kLanes];
     alignas(64) float fars[Packet::kLanes];
     hn::Store(near, d, nears);

@@ -23,12 +23,43 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
+/// detail::edge_error() in lanes, with the threshold that intersect_triangle() adds.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE V edge_errors(D d, V size, V depth) {
+    const auto unit = [d](T times) HWY_ATTR { return hn::Set(d, times * kRounding<T>); };
+    const auto reach = hn::Add(size, hn::Mul(unit(16), depth));
+    return hn::Add(hn::Mul(hn::Mul(unit(8), reach), hn::Add(reach, depth)),
+                   hn::Set(d, detail::kEdgeThreshold<T>));
+}
+
+/// Two edge functions have opposite signs beyond what they may err by: what intersect_triangle()
+/// refuses at once. Written so that NaN and infinity are "not sure".
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> surely_outside(D d, V u, V v, V w, V error) {
+    const auto below = hn::Sub(hn::Zero(d), error);
+    return hn::And(hn::Or(hn::Or(hn::Lt(u, below), hn::Lt(v, below)), hn::Lt(w, below)),
+                   hn::Or(hn::Or(hn::Gt(u, error), hn::Gt(v, error)), hn::Gt(w, error)));
+}
+
+/// All edge functions have one sign, and none has lost bits to underflow or overflow:
+/// detail::triangle_in_wide() accepts.
+template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
+HWY_INLINE hn::Mask<D> surely_inside(D d, V u, V v, V w) {
+    const auto least = hn::Set(d, detail::kEdgeThreshold<T>);
+    const auto below = hn::Sub(hn::Zero(d), least);
+    const auto same =
+        hn::Or(hn::And(hn::And(hn::Ge(u, least), hn::Ge(v, least)), hn::Ge(w, least)),
+               hn::And(hn::And(hn::Le(u, below), hn::Le(v, below)), hn::Le(w, below)));
+    const auto sum = hn::Add(hn::Add(hn::Abs(u), hn::Abs(v)), hn::Abs(w));
+    return hn::And(same, hn::Le(sum, hn::Set(d, std::numeric_limits<T>::max())));
+}
+
 /// What the edge functions and the triangle's own box leave open of a block.
 template <typename T>
 struct BlockHits {
-    std::uint32_t open = 0;  ///< lanes that may hold a better hit: all others surely do not
-    std::uint32_t inside =
-        0;  ///< those of them that the line surely meets, between t_min and t_max
+    std::uint32_t open = 0;    ///< lanes that may hold a better hit: all others surely do not
+    std::uint32_t sure = 0;    ///< those of them that the line surely meets
+    std::uint32_t inside = 0;  ///< those of these that lie between t_min and t_max
     alignas(32) T points[3][2][kBlockLanes];  ///< of the open ones: corner, sheared x and y
 };
 
@@ -39,9 +70,7 @@ HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray
     const D d;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
     const RayShear<T>& s = ray.shear;
-    const auto least = hn::Set(d, detail::kEdgeThreshold<T>);
     const auto most = hn::Set(d, std::numeric_limits<T>::max());
-    const auto zero = hn::Zero(d);
     const auto sx = hn::Set(d, s.sx);
     const auto sy = hn::Set(d, s.sy);
     const auto ox = hn::Set(d, s.origin[s.kx]);
@@ -62,16 +91,12 @@ HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray
         const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
         const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
         const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-        const auto au = hn::Abs(u);
-        const auto av = hn::Abs(v);
-        const auto aw = hn::Abs(w);
-        // Written so that NaN and infinity are "not sure".
-        const auto sure =
-            hn::And(hn::And(hn::Ge(au, least), hn::Ge(av, least)),
-                    hn::And(hn::Ge(aw, least), hn::Le(hn::Add(hn::Add(au, av), aw), most)));
-        const auto below = hn::Or(hn::Or(hn::Lt(u, zero), hn::Lt(v, zero)), hn::Lt(w, zero));
-        const auto above = hn::Or(hn::Or(hn::Gt(u, zero), hn::Gt(v, zero)), hn::Gt(w, zero));
-        auto open = hn::Not(hn::And(sure, hn::And(below, above)));
+        const auto outside_by = edge_errors(
+            d,
+            hn::Add(hn::Add(hn::Add(hn::Abs(ax), hn::Abs(ay)), hn::Add(hn::Abs(bx), hn::Abs(by))),
+                    hn::Add(hn::Abs(cx), hn::Abs(cy))),
+            hn::Add(hn::Add(hn::Abs(az), hn::Abs(bz)), hn::Abs(cz)));
+        auto open = hn::Not(surely_outside(d, u, v, w, outside_by));
         if (HWY_LIKELY(hn::AllFalse(d, open))) continue;
 
         auto near = hn::Set(d, std::numeric_limits<T>::lowest());
@@ -97,10 +122,11 @@ HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray
         open = hn::And(hn::And(open, hn::Le(near, far)),
                        hn::And(hn::Gt(far, min), hn::Le(near, best)));
         if (hn::AllFalse(d, open)) continue;
+        const auto sure = hn::And(open, surely_inside(d, u, v, w));
         hits.open |= bits_of(d, open) << part;
-        hits.inside |=
-            bits_of(d, hn::And(hn::And(open, sure), hn::And(hn::Gt(near, min), hn::Lt(far, best))))
-            << part;
+        hits.sure |= bits_of(d, sure) << part;
+        hits.inside |= bits_of(d, hn::And(sure, hn::And(hn::Gt(near, min), hn::Lt(far, best))))
+                       << part;
         hn::Store(ax, d, hits.points[0][0] + part);
         hn::Store(ay, d, hits.points[0][1] + part);
         hn::Store(bx, d, hits.points[1][0] + part);
@@ -121,6 +147,10 @@ HWY_NOINLINE void offer_lane(const TriangleBlock<T>& block, std::size_t lane,
         vertices[i] = {block.vertices[i][0][lane], block.vertices[i][1][lane],
                        block.vertices[i][2][lane]};
         points[i] = {hits.points[i][0][lane], hits.points[i][1][lane]};
+    }
+    if ((hits.sure >> lane & 1) == 0) {
+        test_triangle(ray, vertices, object, face, search);
+        return;
     }
     const auto hit = detail::triangle_in_wide(ray.shear, vertices, points, search.rule);
     if (!hit) return;
