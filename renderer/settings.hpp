@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "ir/scene/effects.hpp"
 #include "ir/scene/scene.hpp"
@@ -23,6 +24,7 @@ struct Crop {
     std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
+// What is added here and changes pixels belongs in fingerprint() and its test.
 struct Settings {
     std::uint32_t width = 640;
     std::uint32_t height = 480;
@@ -55,5 +57,11 @@ struct Settings {
     /// Extra pictures to keep beside the colour.
     bool want_depth = false, want_normals = false, want_albedo = false, want_sample_count = false;
 };
+
+/// All settings that the pixels of a picture depend on, as text of one line: two settings with
+/// one text make one picture of any scene. Left out are how it is made (acceleration, tiles,
+/// shards), which leaves no trace, and which pictures are kept beside it. A crop counts as the
+/// window that it leaves.
+std::string fingerprint(const Settings& settings);
 
 }  // namespace cobble::renderer

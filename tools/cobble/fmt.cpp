@@ -46,7 +46,6 @@ class Format {
             return usage_error("fmt", "'--range' takes one file");
         }
         for (const std::string& path : files.paths) {
-            if (context_.out.closed()) break;
             format(path);
             if (InterruptGuard::interrupted()) {
                 driver::complain("interrupted; the files not yet reached are as they were");

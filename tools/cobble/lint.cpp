@@ -78,7 +78,6 @@ class Lint {
             }
         });
         for (const std::string& path : files.paths) {
-            if (context_.out.closed()) break;
             lint(path);
             if (InterruptGuard::interrupted()) {
                 driver::complain("interrupted; the files not yet reached are as they were");

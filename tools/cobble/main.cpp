@@ -82,7 +82,8 @@ int finish(Context& context, int status) {
         driver::complain("cannot write to standard output: " + context.out.error());
         return kFailure;
     }
-    return context.out.closed() ? static_cast<int>(kDone) : status;
+    // A reader that has gone away is no error, and takes none away that was found.
+    return status;
 }
 
 int run(std::vector<std::string> arguments) {

@@ -8,8 +8,8 @@
 namespace cobble::driver {
 
 /// Buffered standard output that remembers how writing went. A reader that has gone away (a closed
-/// pipe) is no failure: what is written after that is dropped, and `closed()` tells loops to stop.
-/// Needs SIGPIPE ignored (see prepare_streams).
+/// pipe) is no failure: what is written after that is dropped, and the work goes on, as an exit
+/// status or files may depend on it. Needs SIGPIPE ignored (see prepare_streams).
 class Output {
   public:
     Output() = default;
@@ -20,7 +20,6 @@ class Output {
     void write(std::string_view text);
     void flush();
 
-    [[nodiscard]] bool closed() const { return closed_; }
     /// The system's words for a failed write (a full disk); empty if none failed.
     [[nodiscard]] const std::string& error() const { return error_; }
 

@@ -158,14 +158,9 @@ ShardNote shard_note(const ir::Scene& scene, const renderer::Settings& settings,
     note.version = COBBLE_VERSION;
     note.complete = complete;
 
-    const auto& compat = settings.compat;
-    std::string rest = fmt::format(
-        "{} {} {} {} {} {} {} {} {} {} {} {} {} ", settings.bounces, int(settings.filter),
-        int(settings.precision), settings.texture_filter ? int(*settings.texture_filter) : -1,
-        int(scene.compat), compat.shadows, compat.jitter, compat.filter, compat.casting,
-        compat.pixelated, compat.blurry.value_or(-1), compat.depth_min, compat.depth_max);
-    for (const ir::EffectState& effect : settings.effects.states) rest += effect.on ? '1' : '0';
-    note.settings = hash_of(rest + ' ' + std::string(more));
+    // The crop, samples and seed are part of it too: to differ in those is told by its own name.
+    note.settings = hash_of(fmt::format("{}{} {}", renderer::fingerprint(settings),
+                                        static_cast<int>(scene.compat), more));
     return note;
 }
 
