@@ -31,7 +31,7 @@ int run(const Options& options, Context& context) {
                            "'--compat' is for `cobble render` alone: only the rays of Cobble's own "
                            "way can be shown");
     }
-    const View view = make_view(options.view, true);
+    const View view = make_view("pick", options.view, true);
     if (view.status != 0) return view.status;
     const auto [x, y] = options.at;
     if (x >= view.settings.width || y >= view.settings.height) {
