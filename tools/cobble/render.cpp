@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/film/film.hpp"
 #include "renderer/job/render_job.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
