@@ -15,8 +15,8 @@
 namespace cobble::driver {
 namespace {
 
-// Larger than any picture that fits the decoder's own limits.
-constexpr std::uint64_t kMaxPictureFile = std::uint64_t{8} << 30U;
+// What the decoder takes as pixels, with four floats each, and a mebibyte of header.
+constexpr std::uint64_t kMaxPictureFile = renderer::kMaxPixels * 16 + (1U << 20U);
 
 std::string unknown_ending(const std::string& path) {
     if (path == "-") return "cannot write -: a picture goes to a file, not to standard output";
