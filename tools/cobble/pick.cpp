@@ -43,6 +43,10 @@ int run(const Options& options, Context& context) {
     const renderer::PickTree tree = renderer::pick(scene, view.settings, x, y);
     const driver::PickReport report{tree, scene, view.loaded.session->sources, x, y, options.tree};
     context.out.write(options.json ? driver::pick_to_json(report) : driver::pick_to_text(report));
+    if (!tree.complete) {
+        context.out.flush();
+        driver::complain(driver::incomplete_text(tree));
+    }
     return kDone;
 }
 
