@@ -263,6 +263,20 @@ void report_inline_braces(const CstNode& node, Reporter& reporter) {
           {reporter.span(removal_range(reporter.tokens(), close, close)), ""}}});
 }
 
+bool report_word_as_label(TokenId label, Reporter& reporter) {
+    const std::string_view text = reporter.text(label);
+    if (!grammar::is_vocabulary_name(text)) return false;
+    Diagnostic& finding =
+        reporter.add(kBadLabel, label,
+                     fmt::format("'{}' is a word of the language and cannot be a label", text));
+    // Words of the language differ in more than the capital letter that the names of blocks have.
+    std::string other(text);
+    if (other[0] >= 'A' && other[0] <= 'Z') other[0] = static_cast<char>(other[0] - 'A' + 'a');
+    if (grammar::is_vocabulary_name(other)) other += '_';
+    finding.fixes.push_back({fmt::format("write '{}'", other), false, {{finding.span, other}}});
+    return true;
+}
+
 bool accept_label(const BlockRow& row, TokenId label, Reporter& reporter) {
     const std::string_view text = reporter.text(label);
     if (!row.labelled) {
@@ -272,6 +286,7 @@ bool accept_label(const BlockRow& row, TokenId label, Reporter& reporter) {
         finding.fixes.push_back({"remove the label", true, {{reporter.span(removed), ""}}});
         return false;
     }
+    if (report_word_as_label(label, reporter)) return false;
     if (reporter.tokens().kind(label) == TokenKind::kWord && is_label(text)) {
         if (!reporter.tokens().line_ends_after({label.value - 1})) return true;
         reporter.add(kBadLabel, label,

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "frontend/ast/name_errors.hpp"
 #include "frontend/ast/numbers.hpp"
 #include "frontend/lex/words.hpp"
 #include "frontend/names/describe.hpp"
@@ -159,6 +160,7 @@ class ValueBinder {
         const bool bare = tokens_.kind(token) == TokenKind::kWord;
         if (row_.type == ValueType::kMaterialRef) {
             if (!bare || !is_label(word)) return no_number(token);
+            if (report_word_as_label(token, reporter_)) return false;
         } else if (row_.type == ValueType::kTextureFilter) {
             if (word != "nearest" && word != "bilinear") return wrong_type(token);
         } else if (!grammar::is_word(row_.type)) {
