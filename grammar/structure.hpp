@@ -26,7 +26,7 @@ enum class Symbol : unsigned char {
     kFieldName,   ///< a word that names a field of the open block
     kInlineName,  ///< a word that names a block without braces, such as Translate
     kBlockName,   ///< a word that names a block with braces
-    kLabel,       ///< no name of the language, on the line of the token before it and before a {
+    kLabel,       ///< what is surely one: before a {, on the line of the token before it
     kBareLabel,   ///< a well-formed label that is not followed by {
     kMember,      ///< what may stand in the block just named
     kLiteral,     ///< a number or a colour

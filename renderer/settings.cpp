@@ -3,9 +3,21 @@
 
 #include <fmt/core.h>
 
-#include "renderer/film/film.hpp"
+#include <algorithm>
 
 namespace cobble::renderer {
+
+Crop window_of(const Settings& settings) {
+    Crop window{0, 0, settings.width, settings.height};
+    if (settings.crop) {
+        window.x1 = std::min(settings.crop->x1, settings.width);
+        window.y1 = std::min(settings.crop->y1, settings.height);
+        window.x0 = std::min(settings.crop->x0, window.x1);
+        window.y0 = std::min(settings.crop->y0, window.y1);
+    }
+    if (window.x0 == window.x1 || window.y0 == window.y1) return {};
+    return window;
+}
 
 std::string fingerprint(const Settings& settings) {
     std::string text;

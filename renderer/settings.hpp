@@ -58,6 +58,10 @@ struct Settings {
     bool want_depth = false, want_normals = false, want_albedo = false, want_sample_count = false;
 };
 
+/// The part of the picture that `settings` asks for: the crop clamped to the picture, or all of it.
+/// Empty (x0 = x1 or y0 = y1) if they do not meet.
+Crop window_of(const Settings& settings);
+
 /// All settings that the pixels of a picture depend on, as text of one line: two settings with
 /// one text make one picture of any scene. Left out are how it is made (acceleration, tiles,
 /// shards), which leaves no trace, and which pictures are kept beside it. A crop counts as the

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "frontend/ast/text_errors.hpp"
 #include "frontend/parse/layout.hpp"
 
 namespace cobble::frontend {
@@ -129,6 +130,9 @@ void report_nameless(const CstNode& node, Reporter& reporter) {
 void report_stray_values(const CstNode& node, std::string_view where, Reporter& reporter) {
     const TokenId first{node.first_token};
     const TokenId last{node.end_token - 1};
+    for (std::uint32_t i = first.value; i <= last.value; ++i) {
+        if (report_invisible({i}, reporter)) return;
+    }
     const source::Span span = reporter.span(first, last);
     const bool one = first == last;
     const std::string place =

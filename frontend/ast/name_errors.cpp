@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "frontend/ast/edits.hpp"
+#include "frontend/ast/text_errors.hpp"
 #include "frontend/lex/words.hpp"
 #include "frontend/names/describe.hpp"
 #include "frontend/names/dialects.hpp"
@@ -135,6 +136,9 @@ class UnknownName {
           is_block_(static_cast<NodeKind>(node.kind) == NodeKind::kBlock) {}
 
     void report() {
+        const bool in_braces =
+            is_block_ && around_ != nullptr && grammar::find_field(around_->id, word_) != nullptr;
+        if (in_braces) return report_inline_braces(node_, reporter_);
         const bool argument = !is_block_ && around_ != nullptr;
         Diagnostic& finding = reporter_.add(
             argument ? kUnexpectedArgument : kUnknownName, TokenId{node_.first_token},
@@ -220,6 +224,7 @@ class UnknownName {
 
 void report_unknown_name(const CstNode& node, const BlockRow* around,
                          std::span<const FieldId> present, Reporter& reporter) {
+    if (report_invisible({node.first_token}, reporter)) return;
     UnknownName(node, around, present, reporter).report();
 }
 
@@ -256,11 +261,27 @@ void report_inline_braces(const CstNode& node, Reporter& reporter) {
     const TokenId close{node.end_token - 1};
     if (node.unclosed != 0 || open.value != node.first_token + 1) return;
     if (close.value == open.value + 1) return;  // nothing between them
+    const bool touches =
+        reporter.tokens().range(open).end == reporter.tokens().range({open.value + 1}).begin;
     finding.fixes.push_back(
         {"remove the braces",
          true,
-         {{reporter.span(removal_range(reporter.tokens(), open, open)), ""},
+         {{reporter.span(removal_range(reporter.tokens(), open, open)), touches ? " " : ""},
           {reporter.span(removal_range(reporter.tokens(), close, close)), ""}}});
+}
+
+bool report_word_as_label(TokenId label, Reporter& reporter) {
+    const std::string_view text = reporter.text(label);
+    if (!grammar::is_vocabulary_name(text)) return false;
+    Diagnostic& finding =
+        reporter.add(kBadLabel, label,
+                     fmt::format("'{}' is a word of the language and cannot be a label", text));
+    // Words of the language differ in more than the capital letter that the names of blocks have.
+    std::string other(text);
+    if (other[0] >= 'A' && other[0] <= 'Z') other[0] = static_cast<char>(other[0] - 'A' + 'a');
+    if (grammar::is_vocabulary_name(other)) other += '_';
+    finding.fixes.push_back({fmt::format("write '{}'", other), false, {{finding.span, other}}});
+    return true;
 }
 
 bool accept_label(const BlockRow& row, TokenId label, Reporter& reporter) {
@@ -272,6 +293,8 @@ bool accept_label(const BlockRow& row, TokenId label, Reporter& reporter) {
         finding.fixes.push_back({"remove the label", true, {{reporter.span(removed), ""}}});
         return false;
     }
+    if (report_invisible(label, reporter)) return false;
+    if (report_word_as_label(label, reporter)) return false;
     if (reporter.tokens().kind(label) == TokenKind::kWord && is_label(text)) {
         if (!reporter.tokens().line_ends_after({label.value - 1})) return true;
         reporter.add(kBadLabel, label,

@@ -24,6 +24,9 @@ bool report_misplaced(const Cst& cst, NodeId block, const grammar::BlockRow& row
 /// `Translate { 1 0 0 }`: braces where only values may stand.
 void report_inline_braces(const CstNode& node, Reporter& reporter);
 
+/// Reports a label that is a word of the language; false if it is none.
+bool report_word_as_label(TokenId label, Reporter& reporter);
+
 /// True if the block may have this label and it is well formed. Reports what is wrong with it.
 bool accept_label(const grammar::BlockRow& row, TokenId label, Reporter& reporter);
 

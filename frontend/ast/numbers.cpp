@@ -118,6 +118,16 @@ MalformedNumber explain_malformed(std::string_view word) {
         return {fmt::format("{} ends in an f: numbers have no suffix", shown),
                 std::string(word.substr(0, prefix))};
     }
+    if (prefix > 0 && rest == ";") {
+        return {fmt::format("a semicolon follows the number in {}: values are separated by blanks",
+                            shown),
+                std::string(word.substr(0, prefix))};
+    }
+    if (prefix > 0 && (rest == ")" || rest == "]")) {
+        return {
+            fmt::format("a bracket follows the number in {}: values stand without brackets", shown),
+            std::string(word.substr(0, prefix))};
+    }
     if (prefix > 0 && rest.starts_with('.') &&
         !contains_letter_of(word,
                             "abcdefghijklmnopqrstuvwxyz"

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "frontend/lex/invisible.hpp"
+
 namespace cobble::frontend {
 namespace {
 
@@ -26,7 +30,35 @@ const DiagnosticCode kInvalidUtf8(
     "Save the file as UTF-8. If the byte is part of a path, check that the path still names the "
     "file.");
 
+const DiagnosticCode kInvisibleCharacter(
+    "invisible-character", Severity::kError, "a character that cannot be seen is part of a word",
+    "Only blanks, tabs and line ends separate words. Other characters that look like a blank, or "
+    "like nothing, come with text that is copied from web pages and chats, and make another word "
+    "of the one beside them.",
+    "Group\xC2\xA0{\n}\n", "Put a blank in its place, or remove it.");
+
 }  // namespace
+
+bool report_invisible(TokenId token, Reporter& reporter) {
+    const std::string_view text = reporter.text(token);
+    auto found = find_invisible(text);
+    if (!found) return false;
+    const std::uint32_t begin = reporter.tokens().range(token).begin;
+    const auto bytes_of = [begin](const Invisible& character) {
+        const auto at = begin + static_cast<std::uint32_t>(character.at);
+        return ByteRange{at, at + static_cast<std::uint32_t>(character.bytes)};
+    };
+    Diagnostic& finding =
+        reporter.add(kInvisibleCharacter, bytes_of(*found),
+                     fmt::format("here is {}, which {}", found->name,
+                                 found->blank ? "is no blank to the language" : "cannot be seen"));
+    source::Fix fix{found->blank ? "put a blank in its place" : "remove it", true, {}};
+    for (; found; found = find_invisible(text, found->at + found->bytes)) {
+        fix.edits.push_back({reporter.span(bytes_of(*found)), found->blank ? " " : ""});
+    }
+    finding.fixes.push_back(std::move(fix));
+    return true;
+}
 
 void report_text_errors(Reporter& reporter) {
     const Tokens& tokens = reporter.tokens();

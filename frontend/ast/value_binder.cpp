@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "frontend/ast/edits.hpp"
+#include "frontend/ast/name_errors.hpp"
 #include "frontend/ast/numbers.hpp"
+#include "frontend/ast/text_errors.hpp"
 #include "frontend/lex/words.hpp"
 #include "frontend/names/describe.hpp"
 
@@ -157,8 +160,11 @@ class ValueBinder {
     bool bind_word(TokenId token) {
         const std::string_view word = tokens_.word_of(token);
         const bool bare = tokens_.kind(token) == TokenKind::kWord;
+        const bool path = grammar::is_word(row_.type) && row_.type != ValueType::kTextureFilter;
+        if (!path && bare && report_invisible(token, reporter_)) return false;
         if (row_.type == ValueType::kMaterialRef) {
             if (!bare || !is_label(word)) return no_number(token);
+            if (report_word_as_label(token, reporter_)) return false;
         } else if (row_.type == ValueType::kTextureFilter) {
             if (word != "nearest" && word != "bilinear") return wrong_type(token);
         } else if (!grammar::is_word(row_.type)) {
@@ -192,6 +198,19 @@ class ValueBinder {
             reporter_.add(kWrongType, token,
                           fmt::format("{} expects {}, found {}", quoted(run_.what),
                                       expected_value(row_.type), quoted(tokens_.text_of(token))));
+        const std::string_view word = tokens_.text_of(token);
+        if (word == "=" || word == ":") {
+            finding.notes.emplace_back("values stand behind the name, with nothing but blanks");
+            const ByteRange removed = removal_range(tokens_, token, token);
+            finding.fixes.push_back(
+                {fmt::format("remove '{}'", word), true, {{reporter_.span(removed), ""}}});
+        } else if (word.size() > 1 && (word[0] == '(' || word[0] == '[') &&
+                   looks_like_number(word.substr(1))) {
+            finding.notes.emplace_back("values stand without brackets, separated by blanks");
+            const std::string rest(word.substr(1));
+            finding.fixes.push_back(
+                {fmt::format("write '{}'", rest), true, {{reporter_.span(token), rest}}});
+        }
         const bool path = grammar::is_word(row_.type) && row_.type != ValueType::kTextureFilter;
         if (path && tokens_.kind(token) == TokenKind::kNumber && run_.end == run_.begin + 1) {
             const std::string in_quotes = fmt::format("\"{}\"", tokens_.text_of(token));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frontend/ast/edits.hpp"
+#include "frontend/lex/invisible.hpp"
 #include "frontend/names/dialects.hpp"
 #include "frontend/names/suggest.hpp"
 
@@ -97,15 +98,18 @@ bool CheckContext::explained(BlockNodeId id, std::string_view wanted) const {
     const std::array<std::string_view, 1> candidates = {wanted};
     for (NodeId child = scene.cst.first_child(parent); child.valid();
          child = scene.cst.next_child(parent, child)) {
+        const std::string_view word = first_word(child);
+        // `angle { 40 }`, which is said to have no braces.
+        if (word == wanted && scene.cst.kind(child) == NodeKind::kBlock) return true;
         if (!is_strange(id, child)) {
             if (has_surplus(id, child)) return true;
             continue;
         }
         const NodeKind kind = scene.cst.kind(child);
         if (kind == NodeKind::kStrayValue || kind == NodeKind::kNameless) return true;
-        const std::string_view word = first_word(child);
         const DialectWord* entry = find_dialect_word(word, place);
         if (entry != nullptr && entry->modern == wanted) return true;
+        if (visible_name(word) == wanted) return true;
         if (!nearest_name(word, candidates).empty()) return true;
         if (grammar::find_block(word) == nullptr && begins_like(child, wanted)) return true;
     }

@@ -223,6 +223,8 @@ class Resolver {
                                                    bare_count_ == 2 ? "" : "s"));
         }
         if (context_.scene.materials.empty()) return;
+        diagnostic.notes.emplace_back(
+            "write 'MaterialIndex' and the number or label of a material before it, in its Group");
         // On a line of its own if the object stands on one.
         const source::Span name = context_.name_span(first_bare_);
         const TokenId token{context_.scene.cst.node(context_.block(first_bare_).cst).first_token};

@@ -55,16 +55,47 @@ std::vector<Key> keys_of(const CheckedScene& scene) {
     return keys;
 }
 
-/// `all` holds the sorted keys of the scene. True if the changed text has no finding but those,
-/// `gone` among them no more.
-bool works(const CheckedScene& scene, const std::vector<Key>& all, const Key& gone,
-           const source::Fix& fix) {
+/// Where the byte at `offset` of the text before is in the changed text.
+std::uint32_t after_edits(const std::vector<source::Edit>& edits, std::uint32_t offset) {
+    std::int64_t shift = 0;
+    for (const source::Edit& edit : edits) {
+        if (edit.span.end > offset) break;
+        shift += static_cast<std::int64_t>(edit.text.size()) - (edit.span.end - edit.span.begin);
+    }
+    return static_cast<std::uint32_t>(offset + shift);
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// True if the change lets one name be seen for what it evidently is.
+bool reveals_name(const CheckedScene& scene, const source::Diagnostic& diagnostic,
+                  const source::Fix& fix) {
+    const std::string_view code = diagnostic.code->code;
+    if (code == "invisible-character") return true;
+    if (code != "unknown-name" || fix.edits.size() != 1) return false;
+    const source::Edit& edit = fix.edits.front();
+    const std::string_view old =
+        scene.tokens.text.substr(edit.span.begin, edit.span.end - edit.span.begin);
+    return std::ranges::equal(old, edit.text, {}, lower, lower);
+}
+
+/// `all` holds the sorted keys of the scene. True if the changed text has no finding but those and
+/// what stands in a block that is newly read, and the diagnostic's no more.
+bool works(const CheckedScene& scene, const std::vector<Key>& all,
+           const source::Diagnostic& diagnostic, const source::Fix& fix) {
+    const Key gone{diagnostic.code, diagnostic.severity, diagnostic.span.begin};
     const auto text = apply(scene.tokens.text, scene.source, fix);
     if (!text) return false;
     const auto edits = sorted_edits(fix, scene.source);
     const CheckedScene changed = check_unverified(scene.source, *text);
-    std::vector<Key> after = keys_of(changed);
-    for (Key& key : after) key.begin = before(edits, key.begin);
+    const ByteRange read = newly_read(scene, diagnostic, fix, changed);
+    std::vector<Key> after;
+    for (Key key : keys_of(changed)) {
+        const bool is_new = key.begin >= read.begin && key.begin < read.end;
+        key.begin = before(edits, key.begin);
+        const bool is_gone = !(key < gone) && !(gone < key);
+        if (!is_new || is_gone) after.push_back(key);
+    }
     std::sort(after.begin(), after.end());
     std::vector<Key> allowed = all;
     allowed.erase(std::lower_bound(allowed.begin(), allowed.end(), gone));
@@ -90,6 +121,30 @@ std::optional<std::string> apply(std::string_view text, source::SourceId source,
     return result;
 }
 
+ByteRange newly_read(const CheckedScene& scene, const source::Diagnostic& diagnostic,
+                     const source::Fix& fix, const CheckedScene& changed) {
+    if (!reveals_name(scene, diagnostic, fix)) return {0, 0};
+    // The first token that begins where the old one did, or behind the blank put there.
+    const auto& old = scene.tokens.tokens;
+    const auto behind = std::upper_bound(
+        old.begin(), old.end(), diagnostic.span.begin,
+        [](std::uint32_t offset, const Token& token) { return offset < token.begin; });
+    if (behind == old.begin()) return {0, 0};
+    const std::uint32_t place = after_edits(sorted_edits(fix, scene.source), (behind - 1)->begin);
+    const auto& tokens = changed.tokens.tokens;
+    const auto name = std::lower_bound(
+        tokens.begin(), tokens.end(), place,
+        [](const Token& token, std::uint32_t offset) { return token.begin < offset; });
+    const auto index = static_cast<std::uint32_t>(name - tokens.begin());
+    for (const CstNode& node : changed.cst.nodes) {
+        if (static_cast<NodeKind>(node.kind) != NodeKind::kBlock || node.first_token != index) {
+            continue;
+        }
+        return {name->begin, changed.tokens.range({node.end_token - 1}).end};
+    }
+    return {0, 0};
+}
+
 void verify_fixes(CheckedScene& scene) {
     const std::size_t size = scene.tokens.text.size();
     std::size_t fixes = 0;
@@ -97,12 +152,11 @@ void verify_fixes(CheckedScene& scene) {
     for (source::Diagnostic& diagnostic : scene.diagnostics) {
         if (diagnostic.fixes.empty()) continue;
         if (all.empty()) all = keys_of(scene);
-        const Key key{diagnostic.code, diagnostic.severity, diagnostic.span.begin};
         std::erase_if(diagnostic.fixes, [&](const source::Fix& fix) {
             ++fixes;
             const bool affordable = size <= kLargestVerifiedFile && fixes <= kMostVerifications &&
                                     fixes * size <= kMostVerifiedBytes;
-            return !affordable || !works(scene, all, key, fix);
+            return !affordable || !works(scene, all, diagnostic, fix);
         });
     }
 }

@@ -30,7 +30,7 @@ struct AddError {
 template <bool bare>
 struct EnterBlock {
     static void apply(const TokenInput::action_t& in, TreeBuilder& builder) {
-        builder.enter_block(in.begin(), bare);
+        builder.enter_block(in.begin(), in.end(), bare);
     }
 };
 

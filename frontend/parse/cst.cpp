@@ -29,6 +29,7 @@ bool may_be_label(const Tokens& tokens, std::uint32_t token) {
 
 TokenId open_brace_of(const Tokens& tokens, const CstNode& block) {
     const std::uint32_t first = block.first_token;
+    if (block.word_label != 0) return {first + 2};
     if (is_brace(tokens, first)) return {first};
     if (is_brace(tokens, first + 1)) return {first + 1};
     if (is_brace(tokens, first + 2) && may_be_label(tokens, first + 1)) return {first + 2};

@@ -30,10 +30,11 @@ struct NodeId {
 
 /// Sixteen bytes a node. Its descendants are the nodes (id, end_node).
 struct CstNode {
-    std::uint32_t kind : 8;       ///< NodeKind
-    std::uint32_t has_error : 1;  ///< something in this very node is wrong
-    std::uint32_t unclosed : 1;   ///< kBlock or kNameless without its }
-    std::uint32_t unused : 22;
+    std::uint32_t kind : 8;        ///< NodeKind
+    std::uint32_t has_error : 1;   ///< something in this very node is wrong
+    std::uint32_t unclosed : 1;    ///< kBlock or kNameless without its }
+    std::uint32_t word_label : 1;  ///< kBlock whose label is a word of the language
+    std::uint32_t unused : 21;
     std::uint32_t first_token;
     std::uint32_t end_token;  ///< exclusive
     std::uint32_t end_node;   ///< exclusive

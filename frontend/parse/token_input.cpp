@@ -57,13 +57,36 @@ bool TokenInput::at_block_name() {
 bool TokenInput::at_label() {
     if (!brace_follows()) return false;
     const bool is_word = kind_at(current_) == TokenKind::kWord;
-    if (is_word && word().valid()) return false;
+    if (is_word && word().valid()) return is_word_as_label();
     // After the name of a field it is an unknown block, not a label; and on another line only a
     // block that surely has braces can have meant it.
     const auto previous = grammar::find_word(tokens_.text_of({current_ - 1}));
     const BlockRow* row = grammar::block_named(previous);
     if (on_line_of_previous()) return !previous.valid() || row != nullptr;
     return row != nullptr && has_braces(*row) && is_word;
+}
+
+// `Material Sphere {`: a word of the language was meant as a label if what stands in the braces
+// belongs in the block before it, and the word can be no block in that one.
+bool TokenInput::is_word_as_label() {
+    if (!on_line_of_previous()) return false;
+    const BlockRow* labelled = grammar::find_block(tokens_.text_of({current_ - 1}));
+    if (labelled == nullptr || !labelled->labelled || !has_braces(*labelled)) return false;
+    const std::uint32_t inside = current_ + 2;
+    if (!may_begin(*labelled, inside)) return false;
+    const BlockRow* row = grammar::block_named(word());
+    return row == nullptr || !grammar::may_stand_in(row->id, labelled->id) ||
+           !may_begin(*row, inside);
+}
+
+bool TokenInput::may_begin(const BlockRow& block, std::uint32_t token) const {
+    const TokenKind kind = kind_at(token);
+    if (kind == TokenKind::kCloseBrace) return true;
+    if (kind != TokenKind::kWord) return false;
+    const grammar::WordId found = grammar::find_word(tokens_.text_of({token}));
+    if (grammar::field_named(block.id, found) != nullptr) return true;
+    const BlockRow* row = grammar::block_named(found);
+    return row != nullptr && grammar::may_stand_in(row->id, block.id);
 }
 
 bool TokenInput::at_bare_label() {
@@ -81,7 +104,12 @@ bool TokenInput::at_member() {
 }
 
 bool TokenInput::at_word_value() {
-    if (kind_at(current_) == TokenKind::kWord && word().valid()) return false;
+    if (kind_at(current_) == TokenKind::kWord && word().valid()) {
+        // `MaterialIndex Sphere` on a line of its own: meant as a label, and said to be none.
+        const BlockRow* row = grammar::find_block(tokens_.text_of({current_ - 1}));
+        return row != nullptr && row->role == grammar::Role::kMaterialIndex && !brace_follows() &&
+               on_line_of_previous() && tokens_.line_ends_after({current_});
+    }
     if (brace_follows()) {
         // `MaterialIndex stone` above a { that has lost its name.
         return on_line_of_previous() && tokens_.line_ends_after({current_});

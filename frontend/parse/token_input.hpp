@@ -95,6 +95,8 @@ class TokenInput {
     bool at_inline_name();
     bool at_block_name();
     bool at_label();
+    bool is_word_as_label();
+    [[nodiscard]] bool may_begin(const grammar::BlockRow& block, std::uint32_t token) const;
     bool at_bare_label();
     bool at_member();
     bool at_word_value();

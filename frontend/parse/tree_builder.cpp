@@ -116,7 +116,7 @@ void TreeBuilder::open_node(std::uint32_t begin, const BlockRow* row, bool bare,
     open_.push(add_node(kind, begin, 0, error), row, bare);
 }
 
-void TreeBuilder::enter_block(std::uint32_t begin, bool bare) {
+void TreeBuilder::enter_block(std::uint32_t begin, std::uint32_t end, bool bare) {
     const BlockRow* row = row_of(begin);
     Placing placing = Placing::kPlaced;
     if (row == nullptr) {
@@ -128,6 +128,11 @@ void TreeBuilder::enter_block(std::uint32_t begin, bool bare) {
     const bool inline_in_braces = row != nullptr && row->layout == grammar::Layout::kInline;
     const bool error = row == nullptr || bare || inline_in_braces || placing == Placing::kMisplaced;
     open_node(begin, row, bare, error, NodeKind::kBlock);
+    // Its { is found again by this alone: the word could as well name a block of its own.
+    const bool word_label = !bare && end == begin + 3 &&
+                            tokens_.kind({begin + 1}) == TokenKind::kWord &&
+                            grammar::is_vocabulary_name(tokens_.text_of({begin + 1}));
+    cst_.nodes[open_.top().node].word_label = word_label ? 1 : 0;
 }
 
 void TreeBuilder::enter_nameless(std::uint32_t begin) {

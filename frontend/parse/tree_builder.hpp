@@ -30,7 +30,7 @@ class TreeBuilder {
     void add_unknown(std::uint32_t begin, std::uint32_t end);
     void add_lone_head(std::uint32_t begin, std::uint32_t end);
     /// ... A block begins here; `bare` without its {.
-    void enter_block(std::uint32_t begin, bool bare);
+    void enter_block(std::uint32_t begin, std::uint32_t end, bool bare);
     void enter_nameless(std::uint32_t begin);
     void close_block(std::uint32_t brace);
     void finish(std::uint32_t end_of_file);

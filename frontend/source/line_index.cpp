@@ -99,6 +99,7 @@ std::uint32_t LineIndex::offset(LineColumn place, ColumnUnit unit) const {
     const std::uint32_t start = starts_[place.line - 1];
     const auto end = start + static_cast<std::uint32_t>(line_text(place.line).size());
     const std::uint32_t before = place.column == 0 ? 0 : place.column - 1;
+    if (before == 0) return start;
     if (unit == ColumnUnit::kByte || counts_.empty()) {
         return before < end - start ? start + before : end;
     }

@@ -22,10 +22,10 @@ namespace cobble::renderer {
 
 /// `scene.compat` is not kNone; `scene` must outlive the renderer. Of the settings it reads the
 /// size, bounces, seed, acceleration (kFast counts as kBvh), which planes are wanted, and
-/// Settings::Compat; effects and samples are the program's own. A tile that needs its neighbours' samples (-filter) computes them
-/// itself, so that tiles do not matter. Memory while a tile is on its way: 24 bytes a sample, 3x3 a
-/// pixel at most. `bytes`: of the prepared scene. If `cancelled` is given and becomes true, returns
-/// soon, with what must not be used.
+/// Settings::Compat; effects and samples are the program's own. A tile that needs its neighbours'
+/// samples (-filter) computes them itself, so that tiles do not matter. Memory while a tile is on
+/// its way: 24 bytes a sample, 3x3 a pixel at most. `bytes`: of the prepared scene. If `cancelled`
+/// is given and becomes true, returns soon, with what must not be used.
 std::unique_ptr<TileRenderer> make_compat_renderer(const ir::Scene& scene, const Settings& settings,
                                                    std::uint64_t& bytes,
                                                    const std::atomic<bool>* cancelled = nullptr);

@@ -27,18 +27,6 @@ void set3(Plane32& plane, std::size_t index, math::Vec3d value) {
 
 }  // namespace
 
-Crop window_of(const Settings& settings) {
-    Crop window{0, 0, settings.width, settings.height};
-    if (settings.crop) {
-        window.x1 = std::min(settings.crop->x1, settings.width);
-        window.y1 = std::min(settings.crop->y1, settings.height);
-        window.x0 = std::min(settings.crop->x0, window.x1);
-        window.y0 = std::min(settings.crop->y0, window.y1);
-    }
-    if (window.x0 == window.x1 || window.y0 == window.y1) return {};
-    return window;
-}
-
 Film::Film(const Settings& settings) : window_(window_of(settings)) {
     picture_.color = make_plane(window_, 3, 0.0F);
     if (settings.want_depth) {

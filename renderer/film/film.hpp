@@ -10,10 +10,6 @@
 
 namespace cobble::renderer {
 
-/// The part of the picture that `settings` asks for: the crop clamped to the picture, or all of it.
-/// Empty (x0 = x1 or y0 = y1) if they do not meet.
-Crop window_of(const Settings& settings);
-
 /// Planes over the window only, in single precision; optional planes take memory only if wanted.
 /// Different pixels may be set from different threads at once.
 class Film {

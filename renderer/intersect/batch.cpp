@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "renderer/intersect/wide/wide.hpp"
+#include "renderer/wide/wide.hpp"
 
 namespace cobble::renderer {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/intersect/query.hpp"
 #include "renderer/intersect/traversal.hpp"
-#include "renderer/intersect/wide/wide.hpp"
+#include "renderer/query/query.hpp"
+#include "renderer/wide/wide.hpp"
 
 namespace cobble::renderer {
 

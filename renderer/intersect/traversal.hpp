@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "renderer/accel/tree.hpp"
-#include "renderer/intersect/query.hpp"
+#include "renderer/query/query.hpp"
 
 namespace cobble::renderer {
 

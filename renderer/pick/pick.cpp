@@ -10,7 +10,7 @@ namespace {
 /// A ray still to be asked about, and what it is to its parent.
 struct Waiting {
     TracedRay<double> ray;
-    std::uint32_t parent = 0;
+    std::uint32_t parent = 0;   ///< the nearest ray before it that is a node
     math::Vec3d tint{1, 1, 1};  ///< of its colour, in its parent's
 };
 
@@ -67,11 +67,21 @@ PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x,
     std::vector<math::Vec3d> tints;  // by node
     std::vector<std::uint32_t> parents;
     std::vector<Waiting> stack = {{start.stack.back(), 0, {1, 1, 1}}};
-    while (!stack.empty() && tree.nodes.size() < kMostPickNodes) {
+    while (!stack.empty() && tree.rays < kMostPickRays) {
         Waiting waiting = stack.back();
         stack.pop_back();
         // Alone in its own pixel, so that a child's weight is its part of this ray's colour.
         waiting.ray.weight = {1, 1, 1};
+        ++tree.rays;
+        if (tree.nodes.size() == kMostPickNodes) {
+            const Shaded<double> shaded = shade(shading, sampler, waiting.ray, counters);
+            tree.nodes[waiting.parent].color += waiting.tint * shaded.color;
+            for (std::uint32_t i = shaded.child_count; i > 0; --i) {
+                const TracedRay<double>& child = shaded.children[i - 1];
+                stack.push_back({child, waiting.parent, waiting.tint * child.weight});
+            }
+            continue;
+        }
         std::vector<LightAtSurface<double>> lights;
         const Shaded<double> shaded = shade(shading, sampler, waiting.ray, counters, &lights);
         const auto index = static_cast<std::uint32_t>(tree.nodes.size());
@@ -84,6 +94,7 @@ PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x,
             stack.push_back({child, index, child.weight});
         }
     }
+    tree.complete = stack.empty();
     // Children come after their parents, so one pass backwards gives each ray its whole colour.
     for (std::size_t i = tree.nodes.size(); i-- > 1;) {
         tree.nodes[parents[i]].color += tints[i] * tree.nodes[i].color;

@@ -36,11 +36,16 @@ struct PickNode {
 
 struct PickTree {
     std::vector<PickNode> nodes;  ///< nodes[0] is the camera ray
+    std::uint64_t rays = 0;       ///< followed, with those that are no nodes
+    bool complete = true;         ///< no ray is missing from the colors
 };
 
-/// Rays beyond this many are left out of a tree: a deep bounce limit between two panes of glass has
-/// more of them than anybody reads.
+/// Rays beyond this many are no nodes of the tree, though they are followed for the colors: a deep
+/// bounce limit between two panes of glass has more of them than anybody reads.
 inline constexpr std::uint32_t kMostPickNodes = 65536;
+
+/// Rays beyond this many are not followed: all that 20 bounces in glass make, some seconds.
+inline constexpr std::uint32_t kMostPickRays = 1U << 21U;
 
 /// The ray through the centre of pixel (x, y), y from the top, with no effect sampled, in double.
 PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x, std::uint32_t y);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Pieces that mean something to the lexer, the parser or the formatter.
-constexpr std::array<std::string_view, 42> kPieces = {
+constexpr std::array<std::string_view, 46> kPieces = {
     "{",
     "}",
     " ",
@@ -40,6 +40,8 @@ constexpr std::array<std::string_view, 42> kPieces = {
     "1.2.3",
     " 0 1 0 90 ",
     "inf",
+    "1e999",
+    "0.5f",
     "\xEF\xBB\xBF",
     "\xff",
     "caf\xC3\xA9",
@@ -57,6 +59,8 @@ constexpr std::array<std::string_view, 42> kPieces = {
     "Matrix4f { 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 }",
     "Transform {",
     "color",
+    "angle",
+    "Motion",
     "name",
     "}}}}",
 };

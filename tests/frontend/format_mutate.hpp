@@ -9,27 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/split_mix.hpp"
+
 namespace cobble::frontend::testing {
 
-/// SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014).
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-
-    std::uint64_t next() {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31U);
-    }
-
-    /// In [0, count); the bias for small counts does not matter here.
-    std::size_t below(std::size_t count) { return count == 0 ? 0 : next() % count; }
-
-  private:
-    std::uint64_t state_;
-};
+using Random = test::SplitMix64;
 
 /// One change at a random place; `other` is a text to take a piece from.
 void mutate(std::string& text, std::string_view other, Random& random);

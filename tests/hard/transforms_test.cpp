@@ -2,7 +2,7 @@
 // Matrices and motion: rows 26, 27, 28, 29 and 41 of the hard cases.
 #include <doctest/doctest.h>
 
-#include "renderer/intersect/query.hpp"
+#include "renderer/query/query.hpp"
 #include "tests/hard/scenes.hpp"
 #include "tests/render/scene_builder.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers for tests, the same everywhere: splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
+// Numbers, points and directions for tests, the same everywhere.
 #pragma once
 
 #include <cmath>
@@ -7,20 +7,16 @@
 
 #include "ir/math/elementary.hpp"
 #include "ir/math/vec.hpp"
+#include "tests/support/split_mix.hpp"
 
 namespace cobble::test {
 
-class Random {
+class Random : public SplitMix64 {
   public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t bits() {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31);
+    using SplitMix64::SplitMix64;
+    std::uint32_t below(std::uint32_t n) {
+        return static_cast<std::uint32_t>(SplitMix64::below(n));
     }
-    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(bits() % n); }
     /// In [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
     double in(double lo, double hi) { return lo + unit() * (hi - lo); }
@@ -37,9 +33,6 @@ class Random {
         const double r = std::sqrt(1 - z * z);
         return {r * a.cos, r * a.sin, z};
     }
-
-  private:
-    std::uint64_t state_;
 };
 
 }  // namespace cobble::test

@@ -123,5 +123,24 @@ TEST_CASE("a hopeless tree is cut, not followed to the end of memory") {
     for (int i = 0; i < 8; ++i) b.box({-50, -50, -2.0 * i - 1}, {50, 50, -2.0 * i});
     renderer::Settings s = settings(3, 3);
     s.bounces = 1000;
-    CHECK(renderer::pick(b.scene(), s, 1, 1).nodes.size() == renderer::kMostPickNodes);
+    const PickTree tree = renderer::pick(b.scene(), s, 1, 1);
+    CHECK(tree.nodes.size() == renderer::kMostPickNodes);
+    CHECK(tree.rays == renderer::kMostPickRays);
+    CHECK_FALSE(tree.complete);
+}
+
+TEST_CASE("rays beyond the tree are in the colours") {
+    SceneBuilder b;
+    b.background({1, 1, 1});
+    // White glass that takes nothing away, seen from within: the rays' parts add up to all light.
+    b.material({0, 0, 0}, {1, 1, 1}, 0, 1.5);
+    for (int i = 0; i < 8; ++i) b.box({-50, -50, -2.0 * i - 1}, {50, 50, -2.0 * i});
+    renderer::Settings s = settings(1, 1, 1);
+    s.bounces = 20;
+    const PickTree tree = renderer::pick(b.scene(), s, 0, 0);
+    CHECK(tree.complete);
+    CHECK(tree.nodes.size() == renderer::kMostPickNodes);
+    CHECK(tree.rays > renderer::kMostPickNodes);
+    const auto rendered = render(b.scene(), s);
+    CHECK(tree.nodes[0].color.x == doctest::Approx(rendered.color(0, 0).x).epsilon(1e-6));
 }

@@ -102,7 +102,8 @@ int main(int argc, char** argv) {
         fmt::print("{}\n", all.dump(2));
         return 0;
     }
-    // Half of what quadratic work would take; what fits into the caches makes up to 30 of the 10.
+    // Linear work takes about 10 times as long and quadratic 100. The limit lies half way: where
+    // the small text fits into the caches, linear work takes up to 30.
     constexpr bench::Limit kLinear = bench::at_most(50);
     fmt::print(
         "== Growth: ten times as much text (linear is 10, quadratic 100), one thread, processor "

@@ -10,8 +10,8 @@
 
 #include "frontend/names/suggest.hpp"
 #include "frontend/source/diagnostic.hpp"
+#include "tools/cobble/usage.hpp"
 #include "tools/driver/numbers.hpp"
-#include "tools/driver/output.hpp"
 
 namespace cobble {
 namespace {
@@ -115,13 +115,14 @@ std::string similar_code(std::string_view name) {
     return did_you_mean(name, names);
 }
 
-bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths) {
+bool stdin_path_is_used(std::string_view command, std::string_view stdin_path,
+                        const std::vector<std::string>& paths) {
     if (stdin_path.empty() || std::find(paths.begin(), paths.end(), "-") != paths.end()) {
         return true;
     }
-    driver::complain(
-        "--stdin-filepath says where standard input is taken to be: it goes with the "
-        "path -");
+    usage_error(command,
+                "'--stdin-filepath' says where standard input is taken to be: it goes with the "
+                "path -");
     return false;
 }
 

@@ -64,6 +64,7 @@ std::string similar_code(std::string_view name);
 
 /// False, after complaining, if --stdin-filepath was given (`stdin_path` is not empty) although
 /// standard input ("-") is not among `paths`.
-bool stdin_path_is_used(std::string_view stdin_path, const std::vector<std::string>& paths);
+bool stdin_path_is_used(std::string_view command, std::string_view stdin_path,
+                        const std::vector<std::string>& paths);
 
 }  // namespace cobble

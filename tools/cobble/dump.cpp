@@ -6,6 +6,7 @@
 #include "frontend/dump/dump.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/cobble/view_options.hpp"
 #include "tools/driver/load.hpp"
 
 namespace cobble {
@@ -27,7 +28,11 @@ int run(const Options& options, Context& context) {
     if (options.phase == "cst") context.out.write(frontend::dump_cst(scene.tokens, scene.cst));
     if (options.phase == "ast")
         context.out.write(frontend::dump_ast(scene.tokens, scene.cst, scene.ast));
-    return kDone;
+    // Any bytes are tokens; what is broken in them shows later.
+    if (options.phase == "tokens" || !driver::has_errors(loaded.diagnostics)) return kDone;
+    context.out.flush();
+    report_to_error(loaded, true);
+    return kFindings;
 }
 
 }  // namespace

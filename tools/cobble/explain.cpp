@@ -124,7 +124,7 @@ int explain_scene(const Options& options, Context& context) {
 }
 
 int run(const Options& options, Context& context) {
-    if (!stdin_path_is_used(options.stdin_path, {options.subject})) return kFailure;
+    if (!stdin_path_is_used("explain", options.stdin_path, {options.subject})) return kFailure;
     if (options.subject.empty()) return list_codes(context);
     if (const auto* code = source::find_code(options.subject)) return explain_code(*code, context);
     if (options.subject != "-" && access(options.subject.c_str(), F_OK) != 0) {

@@ -39,7 +39,7 @@ class Format {
 
     int run() {
         if (options_.range) format_options_ = {options_.range->first, options_.range->last};
-        if (!stdin_path_is_used(options_.stdin_path, options_.paths)) return kFailure;
+        if (!stdin_path_is_used("fmt", options_.stdin_path, options_.paths)) return kFailure;
         const driver::SceneFiles files = driver::find_scenes(options_.paths);
         for (const std::string& problem : files.problems) fail(problem);
         if (options_.range && files.paths.size() > 1) {

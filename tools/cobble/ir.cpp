@@ -22,7 +22,7 @@ struct Options {
 };
 
 int run(const Options& options, Context& context) {
-    if (!stdin_path_is_used(options.stdin_path, {options.scene})) return kFailure;
+    if (!stdin_path_is_used("ir", options.stdin_path, {options.scene})) return kFailure;
     const driver::LoadedScene loaded = driver::load_scene(options.scene, options.stdin_path, {});
     if (loaded.session == nullptr) {
         driver::complain(loaded.problem);

@@ -52,7 +52,7 @@ class Lint {
                 return kFailure;
             }
         }
-        if (!stdin_path_is_used(options_.stdin_path, options_.paths)) return kFailure;
+        if (!stdin_path_is_used("lint", options_.stdin_path, options_.paths)) return kFailure;
         if (options_.diff && options_.format != "human") {
             driver::complain(
                 "--diff prints a diff instead of findings: it does not go with "

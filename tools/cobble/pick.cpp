@@ -31,7 +31,7 @@ int run(const Options& options, Context& context) {
                            "'--compat' is for `cobble render` alone: only the rays of Cobble's own "
                            "way can be shown");
     }
-    const View view = make_view(options.view, true);
+    const View view = make_view("pick", options.view, true);
     if (view.status != 0) return view.status;
     const auto [x, y] = options.at;
     if (x >= view.settings.width || y >= view.settings.height) {
@@ -43,6 +43,10 @@ int run(const Options& options, Context& context) {
     const renderer::PickTree tree = renderer::pick(scene, view.settings, x, y);
     const driver::PickReport report{tree, scene, view.loaded.session->sources, x, y, options.tree};
     context.out.write(options.json ? driver::pick_to_json(report) : driver::pick_to_text(report));
+    if (!tree.complete) {
+        context.out.flush();
+        driver::complain(driver::incomplete_text(tree));
+    }
     return kDone;
 }
 

@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/compat/compat_renderer.hpp"
-#include "renderer/film/film.hpp"
 #include "renderer/job/render_job.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
@@ -21,9 +19,10 @@
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
+#include "tools/driver/render_targets.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
-#include "tools/driver/shards.hpp"
+#include "tools/driver/target_files.hpp"
 #include "tools/driver/text.hpp"
 #include "tools/driver/write_file.hpp"
 
@@ -40,7 +39,8 @@ constexpr double kWorthKeeping = 0.01;
 
 struct Options {
     ViewOptions view;
-    std::string output, depth, normals, albedo, sample_count, stats;
+    driver::TargetPaths pictures;
+    std::string stats;
     std::string filter = "box";
     std::optional<Shard> shard;
     std::uint32_t threads = 0;
@@ -48,36 +48,23 @@ struct Options {
     bool quiet = false;
 };
 
-// A picture that is asked for: where it goes, which plane of the result it is, and its name.
-struct Target {
-    std::string path;
-    renderer::Plane32 renderer::Picture::*plane;
-    std::string_view name;
-};
-
 class Render {
   public:
-    explicit Render(const Options& options) : options_(options) {
-        const Target all[] = {
-            {options.output, &renderer::Picture::color, "color"},
-            {options.depth, &renderer::Picture::depth, "depth"},
-            {options.normals, &renderer::Picture::normals, "normals"},
-            {options.albedo, &renderer::Picture::albedo, "albedo"},
-            {options.sample_count, &renderer::Picture::sample_count, "sample-count"}};
-        for (const Target& target : all) {
-            if (!target.path.empty()) targets_.push_back(target);
-        }
-    }
+    explicit Render(const Options& options)
+        : options_(options), targets_(driver::targets_of(options.pictures)) {}
 
     int run() {
         if (targets_.empty()) {
             return usage_error("render", "there is no picture to write: say -o FILE");
         }
+        if (std::string problem = check_options(); !problem.empty()) {
+            return usage_error("render", problem);
+        }
         if (std::string problem = check_outputs(); !problem.empty()) {
             driver::complain(problem);
             return kFailure;
         }
-        view_ = make_view(options_.view, options_.quiet);
+        view_ = make_view("render", options_.view, options_.quiet);
         if (view_.status != 0) return view_.status;
         // Only now is it known which meshes and pictures the scene is made of.
         if (std::string problem = driver::check_distinct(output_paths(), view_.loaded.files);
@@ -85,25 +72,41 @@ class Render {
             driver::complain(problem);
             return kFailure;
         }
-        if (std::string problem = complete_settings(); !problem.empty()) {
-            driver::complain(problem);
-            return kFailure;
-        }
+        complete_settings();
         return render();
     }
 
   private:
     [[nodiscard]] std::vector<std::string> output_paths() const {
         std::vector<std::string> paths;
-        for (const Target& target : targets_) paths.push_back(target.path);
+        for (const driver::RenderTarget& target : targets_) paths.push_back(target.path);
         if (!options_.stats.empty()) paths.push_back(options_.stats);
         return paths;
     }
 
+    // What no scene can make right.
+    [[nodiscard]] std::string check_options() const {
+        const ViewOptions& view = options_.view;
+        const std::optional<Shard>& shard = options_.shard;
+        const std::optional<renderer::Crop>& crop = view.crop;
+        if (crop && (crop->x0 >= view.size.width || crop->y0 >= view.size.height)) {
+            return "'--crop' lies outside the picture of " + to_text(view.size);
+        }
+        // Each part would find a range of its own.
+        if (shard && shard->count > 1 && !view.depth_range && !options_.pictures.depth.empty() &&
+            driver::keeps_bytes(options_.pictures.depth)) {
+            return "'--shard' needs a '--depth-range' that all parts share where distances are "
+                   "grey";
+        }
+        return {};
+    }
+
     // Before anything is read: whether what comes out has a place to go.
-    std::string check_outputs() {
+    [[nodiscard]] std::string check_outputs() const {
         const std::vector<std::string> paths = output_paths();
-        if (std::string problem = driver::check_distinct(paths, {}); !problem.empty()) {
+        std::vector<std::string> inputs;
+        if (options_.view.scene != "-") inputs.push_back(options_.view.scene);
+        if (std::string problem = driver::check_distinct(paths, inputs); !problem.empty()) {
             return problem;
         }
         renderer::Settings settings;
@@ -111,58 +114,32 @@ class Render {
         settings.height = options_.view.size.height;
         settings.crop = options_.view.crop;
         const renderer::Crop window = renderer::window_of(settings);
-        for (const Target& target : targets_) {
-            const bool one_channel = target.plane == &renderer::Picture::depth ||
-                                     target.plane == &renderer::Picture::sample_count;
-            std::string problem = driver::check_picture_path(
-                target.path, window.x1 - window.x0, window.y1 - window.y0, one_channel ? 1 : 3);
-            if (!problem.empty()) return problem;
+        if (std::string problem = driver::check_targets(targets_, window); !problem.empty()) {
+            return problem;
+        }
+        if (std::string problem = driver::check_memory(targets_.size(), window); !problem.empty()) {
+            return problem;
         }
         return options_.stats.empty() ? "" : driver::check_writable(options_.stats, 0);
     }
 
-    std::string complete_settings() {
+    void complete_settings() {
         renderer::Settings& settings = view_.settings;
-        if (settings.crop &&
-            (settings.crop->x0 >= settings.width || settings.crop->y0 >= settings.height)) {
-            return "--crop: the rectangle lies outside the picture of " +
-                   to_text(options_.view.size);
-        }
         if (options_.reference) settings.acceleration = renderer::Acceleration::kBvh;
         if (options_.filter == "tent") settings.filter = renderer::PixelFilter::kTent;
         if (options_.filter == "gaussian") settings.filter = renderer::PixelFilter::kGaussian;
         if (options_.shard) {
             settings.shard_index = options_.shard->index - 1;
             settings.shard_count = options_.shard->count;
-            // Each part would find a range of its own.
-            if (options_.shard->count > 1 && !options_.view.depth_range &&
-                !options_.depth.empty() && driver::keeps_bytes(options_.depth)) {
-                return "--shard: distances as grey need a --depth-range that all parts share";
-            }
         }
-        settings.want_depth = !options_.depth.empty();
-        settings.want_normals = !options_.normals.empty();
-        settings.want_albedo = !options_.albedo.empty();
-        // A shard must know which pixels are not its own.
-        settings.want_sample_count = !options_.sample_count.empty() || options_.shard.has_value();
+        settings.want_depth = !options_.pictures.depth.empty();
+        settings.want_normals = !options_.pictures.normals.empty();
+        settings.want_albedo = !options_.pictures.albedo.empty();
+        settings.want_sample_count = !options_.pictures.sample_count.empty();
         if (options_.view.depth_range) {
             settings.compat.depth_min = options_.view.depth_range->min;
             settings.compat.depth_max = options_.view.depth_range->max;
         }
-        return check_memory();
-    }
-
-    // Every plane stands in memory twice, in the job and as its result, and encoded once more.
-    [[nodiscard]] std::string check_memory() const {
-        const renderer::Crop window = renderer::window_of(view_.settings);
-        const Size size{window.x1 - window.x0, window.y1 - window.y0};
-        const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
-        const std::uint64_t needed = pixels * 12 * 3 * targets_.size();
-        const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-                            static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
-        if (needed <= memory) return {};
-        return fmt::format("a picture of {} pixels takes {} GiB of memory, and this machine has {}",
-                           to_text(size), needed >> 30U, memory >> 30U);
     }
 
     int render() {
@@ -224,8 +201,8 @@ class Render {
               const renderer::Progress& progress) {
         const auto begin = std::chrono::steady_clock::now();
         int status = kDone;
-        for (const Target& target : targets_) {
-            const std::string problem = write_target(target, picture);
+        for (const driver::RenderTarget& target : targets_) {
+            const std::string problem = driver::write_target(target, picture, style());
             if (problem.empty()) continue;
             driver::complain(problem);
             status = kFailure;
@@ -251,46 +228,18 @@ class Render {
         return status;
     }
 
-    [[nodiscard]] std::optional<std::pair<double, double>> depth_range() const {
-        if (!options_.view.depth_range) return std::nullopt;
-        return std::pair(options_.view.depth_range->min, options_.view.depth_range->max);
-    }
-
-    // As many as each pixel is to take; a published program takes what its flags say.
-    [[nodiscard]] std::uint32_t samples() const {
-        return view_.compat == ir::Compat::kNone
-                   ? view_.settings.samples
-                   : renderer::compat_samples_per_pixel(view_.loaded.lowered.scene, view_.settings);
-    }
-
-    [[nodiscard]] std::string write_target(const Target& target,
-                                           const renderer::Picture& picture) const {
-        renderer::Plane32 plane = picture.*target.plane;
-        renderer::EncodeOptions encode;
-        if (view_.compat != ir::Compat::kNone) encode.quantise = renderer::Quantise::kTruncate;
-        const bool color = target.plane == &renderer::Picture::color;
-        encode.encode_srgb =
-            view_.encode_srgb && (color || target.plane == &renderer::Picture::albedo);
-        if (driver::keeps_bytes(target.path)) {
-            if (target.plane == &renderer::Picture::depth) {
-                plane = driver::depth_as_grey(plane, view_.compat, depth_range());
-            } else if (target.plane == &renderer::Picture::normals) {
-                plane = driver::normals_as_color(plane, view_.compat);
-            } else if (target.plane == &renderer::Picture::sample_count) {
-                plane = driver::counts_as_grey(plane, samples());
-            }
+    [[nodiscard]] driver::TargetStyle style() const {
+        driver::TargetStyle style{view_.loaded.lowered.scene, view_.settings, {}, {}, false};
+        if (const auto& range = options_.view.depth_range) {
+            style.depth_range = std::pair(range->min, range->max);
         }
-        if (options_.shard.has_value()) {
-            driver::blacken_unreached(plane, picture.sample_count);
-            encode.comment = driver::to_text(
-                driver::shard_note(view_.loaded.lowered.scene, view_.settings, target.name,
-                                   options_.view.transfer, picture.complete));
-        }
-        return driver::write_picture(target.path, plane, encode);
+        style.transfer = options_.view.transfer;
+        style.is_shard = options_.shard.has_value();
+        return style;
     }
 
     const Options& options_;
-    std::vector<Target> targets_;
+    std::vector<driver::RenderTarget> targets_;
     View view_;
 };
 
@@ -300,11 +249,11 @@ void add_outputs(CLI::App& sub, Options& options) {
                                     const std::string& description) {
         sub.add_option(name, path, description)->type_name("FILE")->group(group);
     };
-    add("-o,--output", options.output, "The picture");
-    add("--depth", options.depth, "Distances from the camera; grey in 8-bit formats");
-    add("--normals", options.normals, "Shading normals");
-    add("--albedo", options.albedo, "Colours of the surfaces before lighting");
-    add("--sample-count", options.sample_count,
+    add("-o,--output", options.pictures.color, "The picture");
+    add("--depth", options.pictures.depth, "Distances from the camera; grey in 8-bit formats");
+    add("--normals", options.pictures.normals, "Shading normals");
+    add("--albedo", options.pictures.albedo, "Colours of the surfaces before lighting");
+    add("--sample-count", options.pictures.sample_count,
         "Samples that each pixel took; white is all of them in 8-bit formats");
     add_parsed(sub, "--depth-range", "MIN,MAX", "MIN,MAX with MIN below MAX, such as 2,10",
                parse_depth_range, options.view.depth_range,

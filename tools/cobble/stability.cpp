@@ -22,7 +22,7 @@ struct Options {
 };
 
 int run(const Options& options, Context& context) {
-    const View view = make_view(options.view, true);
+    const View view = make_view("stability", options.view, true);
     if (view.status != 0) return view.status;
     const ir::Scene& scene = view.loaded.lowered.scene;
     const auto stability = renderer::measure_stability(scene, {options.rays, view.settings.height});

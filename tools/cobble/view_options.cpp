@@ -14,6 +14,7 @@
 #include "renderer/picture/picture_io.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/cobble/usage.hpp"
 #include "tools/driver/report/reporter.hpp"
 
 namespace cobble {
@@ -71,7 +72,8 @@ std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
     if (options.aperture >= 0) camera.aperture = options.aperture;
     if (options.focus_distance > 0) camera.focus_distance = options.focus_distance;
     if (camera.aperture > 0 && camera.focus_distance <= 0) {
-        return "--aperture needs --focus-distance here: the scene does not say what is in focus";
+        return "'--aperture' needs '--focus-distance' here: the scene does not say what is in "
+               "focus";
     }
     return {};
 }
@@ -151,22 +153,21 @@ void report_to_error(const driver::LoadedScene& loaded, bool errors_only) {
     driver::make_reporter(driver::ReportFormat::kHuman, style, driver::write_error)->file(report);
 }
 
-View make_view(const ViewOptions& options, bool quiet) {
+View make_view(std::string_view command, const ViewOptions& options, bool quiet) {
     View view;
     const auto give_up = [&view](int status, std::string_view message) {
         driver::complain(message);
         view.status = status;
     };
-    if (!stdin_path_is_used(options.stdin_path, {options.scene})) {
+    if (!stdin_path_is_used(command, options.stdin_path, {options.scene})) {
         view.status = kFailure;
         return view;
     }
     view.compat = compat_of(options.compat);
-    view.encode_srgb = options.transfer == "srgb";
     ir::LowerOptions lower;
     lower.compat = view.compat;
     lower.casting = options.original_casting;
-    lower.decode_srgb = view.encode_srgb;
+    lower.decode_srgb = options.transfer == "srgb";
     view.loaded = driver::load_scene(options.scene, options.stdin_path, lower);
     if (view.loaded.session == nullptr) {
         give_up(kFailure, view.loaded.problem);
@@ -183,7 +184,7 @@ View make_view(const ViewOptions& options, bool quiet) {
     }
     ir::Scene& scene = view.loaded.lowered.scene;
     if (std::string problem = set_lens(options, scene.camera); !problem.empty()) {
-        give_up(kFailure, problem);
+        view.status = usage_error(command, problem);
         return view;
     }
     renderer::Settings& settings = view.settings;

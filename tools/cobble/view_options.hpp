@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ir/scene/effects.hpp"
 #include "ir/scene/scene.hpp"
@@ -57,13 +58,12 @@ struct View {
     driver::LoadedScene loaded;
     renderer::Settings settings;
     ir::Compat compat = ir::Compat::kNone;
-    bool encode_srgb = false;
     int status = 0;  ///< other than 0: why there is nothing to render was said on standard error
 };
 
 /// Loads the scene and says on standard error what is wrong with it: all of it, or with `quiet`
-/// only what stops the render.
-View make_view(const ViewOptions& options, bool quiet);
+/// only what stops the render. `command` is whose options they are.
+View make_view(std::string_view command, const ViewOptions& options, bool quiet);
 
 /// Writes the findings for people to standard error.
 void report_to_error(const driver::LoadedScene& loaded, bool errors_only);

@@ -51,8 +51,9 @@ void Output::flush() {
 void prepare_streams() {
     for (int descriptor = 0; descriptor < 3; ++descriptor) {
         if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-        // The lowest free number is the closed one, as those below it are open.
-        if (open("/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY) < 0) std::_Exit(2);
+        // The lowest free number is the closed one, as those below it are open. Input and output
+        // are opened the wrong way round: reading and writing fail as on the closed ones.
+        if (open("/dev/null", descriptor == STDOUT_FILENO ? O_RDONLY : O_WRONLY) < 0) std::_Exit(2);
     }
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -33,8 +33,9 @@ class Output {
 int write_all(int descriptor, std::string_view bytes);
 
 /// Opens /dev/null on those of the three standard descriptors that are closed, so that no file
-/// opened later is taken for one of them, and ignores SIGPIPE and SIGXFSZ: a reader that has gone
-/// and a limit on file sizes are then errors of writing.
+/// opened later is taken for one of them, though reading and writing results fail as before; and
+/// ignores SIGPIPE and SIGXFSZ: a reader that has gone and a limit on file sizes are then errors of
+/// writing.
 void prepare_streams();
 
 /// Writes "cobble: MESSAGE" or "cobble COMMAND: MESSAGE" and a line end to standard error, control

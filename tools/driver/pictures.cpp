@@ -15,12 +15,13 @@
 namespace cobble::driver {
 namespace {
 
-// Larger than any picture that fits the decoder's own limits.
-constexpr std::uint64_t kMaxPictureFile = std::uint64_t{8} << 30U;
+// What the decoder takes as pixels, with four floats each, and a mebibyte of header.
+constexpr std::uint64_t kMaxPictureFile = renderer::kMaxPixels * 16 + (1U << 20U);
 
 std::string unknown_ending(const std::string& path) {
+    if (path == "-") return "cannot write -: a picture goes to a file, not to standard output";
     return fmt::format(
-        "cannot write {}: its ending is none of .png, .pfm, .hdr, .exr, .bmp and .tga", path);
+        "cannot write {}: a picture's name ends in .png, .pfm, .hdr, .exr, .bmp or .tga", path);
 }
 
 }  // namespace
@@ -105,13 +106,6 @@ renderer::Plane32 counts_as_grey(const renderer::Plane32& counts, std::uint32_t 
     renderer::Plane32 grey = counts;
     for (float& count : grey.values) count /= static_cast<float>(samples);
     return grey;
-}
-
-void blacken_unreached(renderer::Plane32& plane, const renderer::Plane32& sample_count) {
-    for (std::size_t i = 0; i < sample_count.values.size(); ++i) {
-        if (sample_count.values[i] != 0) continue;
-        for (std::uint32_t c = 0; c < plane.channels; ++c) plane.values[i * plane.channels + c] = 0;
-    }
 }
 
 }  // namespace cobble::driver

@@ -49,7 +49,4 @@ renderer::Plane32 normals_as_color(const renderer::Plane32& normals, ir::Compat 
 /// all parts of a picture.
 renderer::Plane32 counts_as_grey(const renderer::Plane32& counts, std::uint32_t samples);
 
-/// Makes black every pixel of `plane` that was not reached.
-void blacken_unreached(renderer::Plane32& plane, const renderer::Plane32& sample_count);
-
 }  // namespace cobble::driver

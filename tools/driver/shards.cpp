@@ -10,7 +10,6 @@
 
 #include "ir/hash.hpp"
 #include "ir/output/sha256.hpp"
-#include "renderer/film/film.hpp"
 #include "renderer/tile/tiles.hpp"
 #include "tools/driver/numbers.hpp"
 #include "tools/driver/pictures.hpp"

@@ -79,11 +79,15 @@ void add_rules(IgnoreRules& rules, const std::string& on_disk, const std::string
     }
 }
 
+// The path's own name on this machine, links followed; or as it was, if the system would not tell.
+std::string real_path(const std::string& path) {
+    const std::unique_ptr<char, void (*)(void*)> real(realpath(path.c_str(), nullptr), std::free);
+    return real == nullptr ? path : real.get();
+}
+
 // The folder's own name on this machine, with a final '/'.
 std::string absolute(const std::string& folder) {
-    const std::unique_ptr<char, void (*)(void*)> path(
-        realpath(folder.empty() ? "." : folder.c_str(), nullptr), std::free);
-    std::string result = path == nullptr ? folder : path.get();
+    std::string result = folder.empty() ? real_path(".") : real_path(folder);
     if (!result.ends_with('/')) result += '/';
     return result;
 }
@@ -121,9 +125,9 @@ class Walk {
     explicit Walk(SceneFiles& result) : result_(result) {}
 
     void take_file(const std::string& path) {
-        struct stat status {};
-        const bool known = stat(path.c_str(), &status) == 0;
-        if (known && !seen_.insert({status.st_dev, status.st_ino}).second) return;
+        // Not by what lies there: each of a file's hard links is to be fixed, as a rewritten one
+        // may part from the others.
+        if (!seen_.insert(real_path(path)).second) return;
         result_.paths.push_back(path);
     }
 
@@ -194,7 +198,7 @@ class Walk {
     }
 
     SceneFiles& result_;
-    std::set<std::pair<dev_t, ino_t>> seen_;
+    std::set<std::string> seen_;
     bool skipped_repeat_ = false;
 };
 

@@ -17,8 +17,9 @@ namespace {
 constexpr unsigned kTabStop = 4;
 // Even in a narrow terminal a line shows some of what is around the place.
 constexpr unsigned kMinColumns = 40;
-// Bytes of a line that are looked at on each side of a place: lines can be as long as the file.
-constexpr std::size_t kWindow = 4096;
+// A character takes at most four bytes in UTF-8: that many for each column that can be shown are
+// looked at on each side of a place, since lines can be as long as the file.
+constexpr std::size_t kBytesPerColumn = 4;
 constexpr std::string_view kCut = "...";
 
 struct Paint {
@@ -75,6 +76,9 @@ std::vector<Cell> cells_of(std::string_view line, std::size_t begin, std::size_t
     return cells;
 }
 
+// True for the second and later bytes of a character in UTF-8.
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
+
 struct Shown {
     std::string line;
     std::string carets;
@@ -127,15 +131,16 @@ class Excerpts {
         const std::uint32_t start = lines.offset({place.line, 1});
         std::size_t begin = std::min<std::size_t>(span.begin - start, line.size());
         std::size_t end = std::min<std::size_t>(span.end - start, line.size());
-        const std::size_t from = begin > kWindow ? begin - kWindow : 0;
-        const std::string_view window =
-            line.substr(from, end - from > 2 * kWindow ? 2 * kWindow : end - from + kWindow);
-        const bool cut_after = from + window.size() < line.size();
-        begin -= from;
-        end -= from;
         const std::string number = std::to_string(place.line);
         const auto room =
             columns_ - std::min<unsigned>(columns_ / 2, static_cast<unsigned>(number.size()) + 11);
+        const std::size_t reach = kBytesPerColumn * room;
+        std::size_t from = begin > reach ? begin - reach : 0;
+        while (from > 0 && from < begin && is_continuation(line[from])) ++from;
+        const std::string_view window = line.substr(from, std::min(end - from, 2 * reach) + reach);
+        const bool cut_after = from + window.size() < line.size();
+        begin -= from;
+        end -= from;
         const Shown shown = fit(cells_of(window, begin, end), room, from > 0, cut_after);
         const std::string gutter(number.size(), ' ');
         return fmt::format("  {} {}\n  {} {}\n", paint_(kBlue, number + " |"), shown.line,

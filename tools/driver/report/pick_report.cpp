@@ -48,16 +48,23 @@ class Writer {
             std::size_t depth;
         };
         std::vector<Open> open{{0, 0}};
+        std::uint64_t count = 0;
         while (!open.empty()) {
             const Open at = open.back();
             open.pop_back();
             const PickNode& node = report_.tree.nodes[at.node];
             text += node_text(node, std::string(2 * at.depth, ' '));
+            ++count;
             if (!report_.whole_tree) break;
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-                open.push_back({*child, at.depth + 1});
+                if (is_shown(*child)) open.push_back({*child, at.depth + 1});
             }
         }
+        if (report_.whole_tree && count < report_.tree.rays) {
+            text += fmt::format("... {} rays more\n", report_.tree.rays - count);
+        }
+        const std::string incomplete = incomplete_text(report_.tree);
+        if (!incomplete.empty()) text += incomplete + "\n";
         return text;
     }
 
@@ -66,22 +73,32 @@ class Writer {
         const auto& nodes = report_.tree.nodes;
         std::vector<Json> done(nodes.size());
         const std::size_t count = report_.whole_tree ? nodes.size() : 1;
-        for (std::size_t i = count; i-- > 0;) {
+        std::uint64_t shown = 0;
+        for (std::uint32_t i = static_cast<std::uint32_t>(count); i-- > 0;) {
+            if (!is_shown(i)) continue;
+            ++shown;
             done[i] = node_json(nodes[i]);
             if (!report_.whole_tree) continue;
             Json rays = Json::array();
             for (const std::uint32_t child : nodes[i].children) {
-                rays.push_back(std::move(done[child]));
+                if (is_shown(child)) rays.push_back(std::move(done[child]));
             }
             done[i]["rays"] = std::move(rays);
         }
-        const Json json = {{"cobble_pick", 1},
-                           {"pixel", Json::array({report_.x, report_.y})},
-                           {"ray", std::move(done[0])}};
+        Json json = {{"cobble_pick", 1},
+                     {"pixel", Json::array({report_.x, report_.y})},
+                     {"complete", report_.tree.complete}};
+        if (report_.whole_tree) json["rays_left_out"] = report_.tree.rays - shown;
+        json["ray"] = std::move(done[0]);
         return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     }
 
   private:
+    // A shown ray's parent is shown too: it comes before it and is less deep.
+    [[nodiscard]] bool is_shown(std::uint32_t node) const {
+        return node < kMostShownRays && report_.tree.nodes[node].depth <= kMostShownDepth;
+    }
+
     std::string node_text(const PickNode& node, const std::string& indent) {
         std::string text;
         const auto line = [&text, &indent](std::string_view name, const std::string& value) {
@@ -160,6 +177,11 @@ class Writer {
 };
 
 }  // namespace
+
+std::string incomplete_text(const renderer::PickTree& tree) {
+    if (tree.complete) return {};
+    return fmt::format("cut off after {} rays; the colour is incomplete", tree.rays);
+}
 
 std::string pick_to_text(const PickReport& report) { return Writer(report).text(); }
 

@@ -20,9 +20,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/intersect/wide/settle-inl.hpp"
-#include "renderer/intersect/wide/single-inl.hpp"
 #include "renderer/scene/geometry.hpp"
+#include "renderer/wide/settle-inl.hpp"
+#include "renderer/wide/single-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One ray's search: what is asked, what was found so far, and the tests of single primitives.
-// Private to this folder: the tree and brute force share every line of it.
+// Brute force, the reference's tree and the fast core share every line of it.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/intersect/wide/packet-inl.hpp"
+#include "renderer/wide/packet-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {

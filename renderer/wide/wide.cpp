@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/intersect/wide/wide.hpp"
+#include "renderer/wide/wide.hpp"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "renderer/intersect/wide/wide.cpp"
+#define HWY_TARGET_INCLUDE "renderer/wide/wide.cpp"
 #include <hwy/foreach_target.h>
 // Behind foreach_target.h, as Highway wants it.
-#include "renderer/intersect/wide/packet_walk-inl.hpp"
+#include "renderer/wide/packet_walk-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The walk through wide trees, by the best instruction set that the processor has. Private to this
-// folder.
+// The walk through wide trees, by the best instruction set that the processor has.
 #pragma once
 
 #include <cstddef>
 
-#include "renderer/intersect/query.hpp"
+#include "renderer/query/query.hpp"
 #include "renderer/scene/geometry.hpp"
 #include "renderer/tile/stats.hpp"
 

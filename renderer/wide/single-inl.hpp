@@ -15,10 +15,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/intersect/wide/spheres-inl.hpp"
-#include "renderer/intersect/wide/triangles-inl.hpp"
-#include "renderer/intersect/wide/walk-inl.hpp"
 #include "renderer/scene/geometry.hpp"
+#include "renderer/wide/spheres-inl.hpp"
+#include "renderer/wide/triangles-inl.hpp"
+#include "renderer/wide/walk-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {

@@ -16,8 +16,8 @@
 #include <limits>
 
 #include "renderer/accel/wide_tree.hpp"
-#include "renderer/intersect/query.hpp"
-#include "renderer/intersect/wide/lanes-inl.hpp"
+#include "renderer/query/query.hpp"
+#include "renderer/wide/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
