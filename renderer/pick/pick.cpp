@@ -76,8 +76,8 @@ PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x,
         if (tree.nodes.size() == kMostPickNodes) {
             const Shaded<double> shaded = shade(shading, sampler, waiting.ray, counters);
             tree.nodes[waiting.parent].color += waiting.tint * shaded.color;
-            for (std::uint32_t i = shaded.child_count; i > 0; --i) {
-                const TracedRay<double>& child = shaded.children[i - 1];
+            for (std::uint32_t i = shaded.children.count; i > 0; --i) {
+                const TracedRay<double>& child = shaded.children.rays[i - 1];
                 stack.push_back({child, waiting.parent, waiting.tint * child.weight});
             }
             continue;

@@ -2,6 +2,7 @@
 // Mutated scenes: nothing crashes, and every change that is offered does what it says.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
