@@ -9,6 +9,7 @@
 
 #include "ir/effects.hpp"
 #include "tests/compat/support.hpp"
+#include "tests/support/corpus.hpp"
 
 namespace cobble::test {
 namespace {
@@ -62,12 +63,10 @@ TEST_CASE("the fast core draws the project's scenes as the reference does") {
     for (const fs::path& path : scenes) check_cores(path);
 }
 
-TEST_CASE("the fast core draws the published scenes as the reference does") {
-    const fs::path folder = corpus();
-    if (folder.empty()) {
-        MESSAGE("no corpus");
-        return;
-    }
+TEST_CASE("the fast core draws the published scenes as the reference does" *
+          doctest::test_suite("corpus")) {
+    const fs::path folder = corpus_or_skip();
+    if (folder.empty()) return;
     for (const fs::path& path : scenes_in(folder, ".txt")) check_cores(path);
 }
 
