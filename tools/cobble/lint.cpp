@@ -125,6 +125,13 @@ class Lint {
     std::string fix(const std::string& path, std::string text, bool standard_input) {
         driver::Fixed fixed =
             driver::fix_until_stable(path, text, disk_, rules_, options_.unsafe_fixes);
+        if (fixed.too_many) {
+            context_.out.flush();
+            driver::complain(
+                path +
+                (fixed.applied == 0 ? ": fixes were not applied" : ": not all fixes were applied") +
+                ": too many findings");
+        }
         if (options_.diff) {
             const driver::DiffStyle style{driver::wants_color(STDOUT_FILENO)};
             context_.out.write(driver::unified_diff(text, fixed.text, path, path, style));

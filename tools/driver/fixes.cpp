@@ -21,6 +21,10 @@ constexpr int kMaxTurns = 20;
 // How often fixes are tried one by one, each at the price of a lint, before what is left stays.
 constexpr int kMaxSingleTries = 200;
 
+// As many findings as the parser keeps, and the checks of one severity: from here on there may be
+// more than can be counted.
+constexpr std::size_t kMostFindings = 10000;
+
 // Two insertions at one place touch as well: their order would be a guess.
 bool touch(source::Span a, source::Span b) {
     return (a.begin < b.end && b.begin < a.end) || a.begin == b.begin;
@@ -96,7 +100,7 @@ std::string apply_fixes(std::string_view text, source::SourceId scene,
 
 Fixed fix_until_stable(const std::string& path, std::string text, source::FileSource& files,
                        const SeverityRules& rules, bool unsafe) {
-    Fixed result{std::move(text), 0};
+    Fixed result{std::move(text), 0, false};
     source::SourceId scene;
     // All fixes of the file at once, checked together: one lint a turn, however many they are.
     auto diagnostics =
@@ -106,11 +110,15 @@ Fixed fix_until_stable(const std::string& path, std::string text, source::FileSo
         std::string changed = apply_fixes(result.text, scene, diagnostics, unsafe, count);
         if (count == 0) break;
         auto remaining = findings(path, changed, files, rules, scene, Session::Fixes::kUnverified);
-        if (!better(diagnostics, remaining)) break;
+        if (!better(diagnostics, remaining)) {
+            result.too_many = remaining.size() >= kMostFindings;
+            break;
+        }
         result.text = std::move(changed);
         result.applied += count;
         diagnostics = std::move(remaining);
     }
+    if (result.too_many) return result;
     // What is left has fixes that do not go together: only those that help by themselves.
     diagnostics = findings(path, result.text, files, rules, scene, Session::Fixes::kVerified);
     // Each turn lowers the number of findings, or else steps over one of them: so this ends.

@@ -22,6 +22,9 @@ std::string apply_fixes(std::string_view text, source::SourceId scene,
 struct Fixed {
     std::string text;
     std::size_t applied = 0;
+    /// There are more findings than are kept, so that it cannot be seen whether fixes help: those
+    /// that are left were not applied.
+    bool too_many = false;
 };
 
 /// Lints and fixes round after round until nothing is left to fix. Each round must leave fewer
