@@ -46,7 +46,6 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
     return app.add_option(name, value, description)
         ->type_name(shown)
         ->check(check)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
         ->capture_default_str();
 }
 
@@ -61,8 +60,7 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::strin
         .add_option_function<std::string>(
             name, [](const std::string&) {}, description)
         ->type_name(type)
-        ->check(check)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+        ->check(check);
 }
 
 CLI::Option* require_whole(CLI::Option* option, std::uint64_t low, std::uint64_t high) {

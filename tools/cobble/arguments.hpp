@@ -27,7 +27,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
                         const std::vector<std::string>& choices, const std::string& description);
 
 /// An option whose value `take` reads; `wants` says what it takes ("WxH, such as 640x480") if that
-/// gives false. Given twice, the last one counts.
+/// gives false.
 CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
                         const std::string& wants, std::function<bool(std::string_view)> take,
                         const std::string& description);

@@ -119,6 +119,10 @@ int run(std::vector<std::string> arguments) {
         const CLI::App& command = chosen.empty() ? app : *chosen.front();
         return usage_error(chosen.empty() ? "" : command.get_name(), usage_problem(command, error));
     }
+    const CLI::App& command = *app.get_subcommands().front();
+    if (const std::string problem = repeated_option(command); !problem.empty()) {
+        return usage_error(command.get_name(), problem);
+    }
     return finish(context, context.run());
 }
 

@@ -89,7 +89,7 @@ std::string rewrite_old_spellings(std::vector<std::string>& arguments) {
         i += spelling->values;
     }
     if (original) {
-        // These stand before what the user wrote, and an option given twice counts as last given.
+        // Only where the user says nothing, as no option may be given twice.
         std::vector<std::string> defaults;
         if (!has_option(result, "--size")) defaults.emplace_back("--size=100x100");
         if (!has_option(result, "--compat")) defaults.emplace_back("--compat=project");

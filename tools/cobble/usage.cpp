@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "tools/cobble/arguments.hpp"
@@ -13,8 +15,11 @@ namespace cobble {
 namespace {
 
 std::string shown(const CLI::Option& option) {
-    // The only one that takes a value of those that are left out of the help and rewritten.
-    if (option.check_lname("original-blurry")) return "'-blurry'";
+    // The original programs' spellings are rewritten to these.
+    constexpr std::string_view kOriginal = "original-";
+    if (!option.get_lnames().empty() && option.get_lnames().front().starts_with(kOriginal)) {
+        return "'-" + option.get_lnames().front().substr(kOriginal.size()) + "'";
+    }
     const std::string name = option.get_name();
     return name.starts_with('-') ? "'" + name + "'" : name;
 }
@@ -64,13 +69,24 @@ const CLI::Option* option_of(const CLI::App& command, std::string_view message,
     return nullptr;
 }
 
+std::string too_often(const CLI::Option& option) {
+    const std::vector<std::string>& values = option.results();
+    // A flag and its negative form.
+    if (option.get_expected_max() == 0 && !option.get_fnames().empty() &&
+        std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) != values.end()) {
+        return fmt::format("{} and '--{}' are both given", shown(option),
+                           option.get_fnames().front());
+    }
+    if (option.count() == 2) return shown(option) + " is given twice";
+    return fmt::format("{} is given {} times", shown(option), option.count());
+}
+
 std::string of_counts(const CLI::App& command, std::string_view message) {
     const CLI::Option* option = option_of(command, message);
     if (option == nullptr) return {};
+    if (option->count() > 1) return too_often(*option);
     // A flag cannot have too few of what it does not take.
     if (option->get_expected_max() == 0) return shown(*option) + " takes no value";
-    if (option->count() > 1)
-        return fmt::format("{} is given {} times", shown(*option), option->count());
     return fmt::format("{} wants a value: {}", shown(*option), option->get_type_name());
 }
 
@@ -81,6 +97,16 @@ int usage_error(std::string_view command, std::string_view problem) {
     driver::complain(problem, command);
     driver::write_error("Try `" + name + " --help`.\n");
     return kFailure;
+}
+
+std::string repeated_option(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        // A flag has this policy too, to count how often it is given.
+        const bool list = option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll &&
+                          option->get_expected_max() > 0;
+        if (option->nonpositional() && !list && option->count() > 1) return too_often(*option);
+    }
+    return {};
 }
 
 std::string usage_problem(const CLI::App& command, const CLI::ParseError& error) {

@@ -19,4 +19,8 @@ int usage_error(std::string_view command, std::string_view problem);
 /// What is wrong, in our words whatever the option library calls it.
 std::string usage_problem(const CLI::App& command, const CLI::ParseError& error);
 
+/// Of a command line that parses: "'--quiet' is given twice", or "" if no option is that takes no
+/// list. The option library refuses most of these itself, but no flag.
+std::string repeated_option(const CLI::App& command);
+
 }  // namespace cobble

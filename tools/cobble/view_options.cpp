@@ -107,7 +107,6 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
                                  "How often a ray may be reflected or refracted"),
                   0, kMaxBounces)
         ->type_name("N")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
         ->capture_default_str();
     require_whole(sub.add_option("--samples", options.samples, "Samples a pixel"), 1, kMaxSamples)
         ->type_name("N")
