@@ -39,6 +39,7 @@ struct Lowered {
     Scene scene;
     /// False if there is nothing to render: no camera, or no usable object of any kind.
     bool renderable = false;
+    bool has_camera = false;
     /// Of assets, and of transforms that only together go wrong; in order of the scene's spans.
     std::vector<source::Diagnostic> diagnostics;
 };

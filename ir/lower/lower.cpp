@@ -81,6 +81,7 @@ class Lowering {
         load_assets();
         const auto camera = lower_camera(checked_);
         if (camera) scene.camera = *camera;
+        lowered_.has_camera = camera.has_value();
         scene.lights = lower_lights(checked_, options_);
         scene.background = lower_background(checked_, options_, !scene.lights.empty());
         scene.background.cube_map = background_map_;

@@ -290,8 +290,12 @@ void add_render(CLI::App& app, Context& context) {
         "The original programs' spellings work too: -input F, -output F, -size W H, -depth MIN MAX "
         "F,\n-normals F, -bounces N, -shadows, -jitter, -filter, -casting, -blurry FOCUS, "
         "-pixelated.");
-    sub->callback(
-        [options, &context] { context.run = [options] { return Render(*options).run(); }; });
+    sub->callback([options, sub, &context] {
+        for (const CLI::Option* option : sub->get_options()) {
+            if (option->count() > 0) options->view.given.push_back(option->get_name());
+        }
+        context.run = [options] { return Render(*options).run(); };
+    });
 }
 
 }  // namespace cobble

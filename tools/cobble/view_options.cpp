@@ -48,6 +48,29 @@ ir::Effects choose_effects(const ir::Scene& scene, const ViewOptions& options, i
     return effects;
 }
 
+// What was asked of Cobble's own way, in vain where a published program's is followed.
+std::vector<std::string> idle_options(const ViewOptions& options, const View& view) {
+    const bool tracing = view.compat != ir::Compat::kA4 && !options.original_casting;
+    const bool lens = view.compat == ir::Compat::kProject && options.original_casting &&
+                      options.original_blurry > 0;
+    std::vector<std::string_view> idle = {"--samples",   "--filter",         "--precision",
+                                          "--reference", "--texture-filter", "--focus-distance"};
+    if (!lens) idle.emplace_back("--aperture");
+    if (!lens && !options.original_jitter) idle.emplace_back("--seed");
+    if (!tracing) idle.emplace_back("--bounces");
+    std::vector<std::string> result;
+    for (const std::string& name : options.given) {
+        if (std::find(idle.begin(), idle.end(), name) != idle.end()) result.push_back(name);
+    }
+    for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
+        const auto effect = static_cast<ir::Effect>(i);
+        if (options.effects[i] == 0 || (effect == ir::Effect::kShadows && tracing)) continue;
+        result.push_back(
+            fmt::format("--{}{}", options.effects[i] < 0 ? "no-" : "", ir::name_of(effect)));
+    }
+    return result;
+}
+
 // What the published programs' flags ask for, or a word about those that mean nothing here.
 void set_compat(const ViewOptions& options, View& view) {
     renderer::Settings::Compat& compat = view.settings.compat;
@@ -57,7 +80,13 @@ void set_compat(const ViewOptions& options, View& view) {
     compat.casting = options.original_casting;
     compat.pixelated = options.original_pixelated;
     if (options.original_blurry >= 0) compat.blurry = options.original_blurry;
-    if (view.compat != ir::Compat::kNone) return;
+    if (view.compat != ir::Compat::kNone) {
+        for (const std::string& name : idle_options(options, view)) {
+            driver::complain(
+                fmt::format("'{}' has no effect with --compat {}", name, options.compat), "render");
+        }
+        return;
+    }
     const std::pair<bool, const char*> idle[] = {{options.original_jitter, "-jitter"},
                                                  {options.original_filter, "-filter"},
                                                  {options.original_casting, "-casting"},
@@ -76,6 +105,13 @@ std::string set_lens(const ViewOptions& options, ir::Camera& camera) {
                "focus";
     }
     return {};
+}
+
+std::string what_is_missing(const ir::Lowered& lowered) {
+    const std::string camera = "a PerspectiveCamera";
+    if (!lowered.scene.objects.empty()) return "no camera: add " + camera;
+    if (lowered.has_camera) return "no object to render: add one to its Group";
+    return "neither a camera nor an object: add " + camera + ", and an object to its Group";
 }
 
 }  // namespace
@@ -178,7 +214,8 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
         return view;
     }
     if (!view.loaded.lowered.renderable) {
-        give_up(kFindings, options.scene + " has nothing to render: no camera, or no object");
+        give_up(kFindings, (options.scene == "-" ? "the scene" : options.scene) + " has " +
+                               what_is_missing(view.loaded.lowered));
         return view;
     }
     ir::Scene& scene = view.loaded.lowered.scene;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ir/scene/effects.hpp"
 #include "ir/scene/scene.hpp"
@@ -36,6 +37,8 @@ struct ViewOptions {
     double aperture = -1;
     double focus_distance = -1;
     bool keep_going = false;
+    /// Of `render`: the names of its options that were given, such as "--samples".
+    std::vector<std::string> given;
     /// Above 0: asked for; below: switched off.
     std::array<int, ir::kEffectCount> effects{};
 
