@@ -304,6 +304,23 @@ ImageId AssetLoader::image(std::string_view path, Span span, ImageUse use) {
     return checker();
 }
 
+// Why there is not one face in `folder`, which ends in '/'.
+std::string AssetLoader::without_faces(std::string_view folder) {
+    folder.remove_suffix(folder.empty() ? 0 : 1);
+    if (folder.empty()) return " has no faces";
+    switch (files_.read(folder, 0).status) {
+        case source::ReadStatus::kMissing:
+            return " does not exist";
+        case source::ReadStatus::kOk:
+        case source::ReadStatus::kTooLarge:
+            return " is no folder";
+        case source::ReadStatus::kNotAFile:
+        case source::ReadStatus::kUnreadable:
+            break;
+    }
+    return " has no faces";
+}
+
 std::string AssetLoader::face_ending(const std::string& folder, std::string_view written, Span span,
                                      std::size_t& finding) {
     std::size_t best = 0;
@@ -326,11 +343,11 @@ std::string AssetLoader::face_ending(const std::string& folder, std::string_view
     for (std::size_t f = 0; f < kFaces.size(); ++f) {
         if (!best_faces[f]) missing.emplace_back(kFaces[f]);
     }
-    std::string message = "cube map " + quoted(written) + " has no ";
+    std::string message = "cube map " + quoted(written);
     if (best_count == 0) {
-        message += "faces";
+        message += without_faces(folder);
     } else {
-        message += "face ";
+        message += " has no face ";
         for (std::size_t i = 0; i < missing.size(); ++i) {
             message += (i == 0 ? "" : ", ") + quoted(missing[i] + kEndings[best]);
         }

@@ -96,6 +96,7 @@ class AssetLoader {
     void also_here(std::size_t finding, source::Span span);
     void report_problems(const LoadedObj& loaded, source::Span span);
     [[nodiscard]] std::uint64_t file_limit() const;
+    std::string without_faces(std::string_view folder);
     std::string face_ending(const std::string& folder, std::string_view written, source::Span span,
                             std::size_t& finding);
 

@@ -220,7 +220,7 @@ TEST_CASE("cube maps without a face, or of uneven faces") {
     };
     auto built = sky();
     REQUIRE(built.codes() == Strings{"asset-cube-map-face"});
-    CHECK(built.lowered.diagnostics[0].message == "cube map 'sky' has no faces");
+    CHECK(built.lowered.diagnostics[0].message == "cube map 'sky' does not exist");
     CHECK(named(built, 0) == "sky");
     CHECK(built.lowered.diagnostics[0].notes[0].find(".hdr .png .jpg .jpeg .tga .bmp") !=
           std::string::npos);
