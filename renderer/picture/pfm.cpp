@@ -72,6 +72,11 @@ Decoded decode_pfm(std::string_view bytes, std::uint64_t max_pixels) {
     if (scale.empty() || scale.find_first_not_of("+-.0123456789eE") != std::string_view::npos) {
         return failed("the PFM file's header is malformed");
     }
+    // Its sign tells the byte order, which 0 has none for.
+    const std::string_view digits = scale.substr(0, scale.find_first_of("eE"));
+    if (digits.find_first_of("123456789") == std::string_view::npos) {
+        return failed("the PFM file's scale is 0");
+    }
     if (std::string error = image::size_problem(width, height, max_pixels); !error.empty()) {
         return failed(std::move(error));
     }

@@ -105,6 +105,8 @@ TEST_CASE("sizes that a file cannot hold are refused with a reason") {
     CHECK(decode(huge).error ==
           "it claims 100000 x 100000 pixels, and the limit is 178956970 pixels");
     CHECK(decode("PF\n8000 8000\n-1.0\n").error == "the PFM file breaks off before its last pixel");
+    CHECK(decode("Pf\n1 1\n-0.0e1\n0000").error == "the PFM file's scale is 0");
+    CHECK(decode("Pf\n1 1\n-.01\n0000").error.empty());
     CHECK(decode("PF\n0 8\n-1.0\n").error == "it has no pixels");
     CHECK(decode("PF\n-1 8\n-1.0\n").error == "it has no pixels");
     CHECK(decode("PF\n99999999999999999999 1\n-1.0\n").error == "it has no pixels");

@@ -10,6 +10,7 @@
 #include "ir/effects.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
+#include "tools/cobble/usage.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/load.hpp"
 #include "tools/driver/report/positions.hpp"
@@ -22,6 +23,7 @@ namespace {
 constexpr std::size_t kPageWidth = 80;
 
 struct Options {
+    bool listing = false;  ///< nothing is named
     std::string subject;
     std::string stdin_path;
 };
@@ -125,7 +127,10 @@ int explain_scene(const Options& options, Context& context) {
 
 int run(const Options& options, Context& context) {
     if (!stdin_path_is_used("explain", options.stdin_path, {options.subject})) return kFailure;
-    if (options.subject.empty()) return list_codes(context);
+    if (options.listing) return list_codes(context);
+    if (options.subject.empty()) {
+        return usage_error("explain", "CODE|SCENE wants a code or a file, not ''");
+    }
     if (const auto* code = source::find_code(options.subject)) return explain_code(*code, context);
     if (options.subject != "-" && access(options.subject.c_str(), F_OK) != 0) {
         const std::string similar = similar_code(options.subject);
@@ -146,11 +151,13 @@ void add_explain(CLI::App& app, Context& context) {
     auto options = std::make_shared<Options>();
     CLI::App* sub = app.add_subcommand(
         "explain", "Explain a diagnostic, or what a scene calls for from its renderer");
-    sub->add_option("CODE|SCENE", options->subject,
-                    "A code such as unexpected-argument, or a scene file (./FILE is always a "
-                    "file); nothing lists all codes");
+    const CLI::Option* subject =
+        sub->add_option("CODE|SCENE", options->subject,
+                        "A code such as unexpected-argument, or a scene file (./FILE is always a "
+                        "file); nothing lists all codes");
     add_stdin_path(*sub, options->stdin_path);
-    sub->callback([options, &context] {
+    sub->callback([options, subject, &context] {
+        options->listing = subject->count() == 0;
         context.run = [options, &context] { return run(*options, context); };
     });
 }

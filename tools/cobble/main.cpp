@@ -105,6 +105,9 @@ int run(std::vector<std::string> arguments) {
         return kFailure;
     }
     protect_paths(arguments);
+    if (const std::string problem = missing_value(app, arguments); !problem.empty()) {
+        return usage_error(arguments.front(), problem);
+    }
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
     try {
         app.parse(std::move(arguments));

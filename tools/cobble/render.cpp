@@ -89,6 +89,10 @@ class Render {
         const ViewOptions& view = options_.view;
         const std::optional<Shard>& shard = options_.shard;
         const std::optional<renderer::Crop>& crop = view.crop;
+        if (options_.stats == "-") {
+            return "'--stats' wants a file, and does not write to standard output (./- is a file "
+                   "of that name)";
+        }
         if (crop && (crop->x0 >= view.size.width || crop->y0 >= view.size.height)) {
             return "'--crop' lies outside the picture of " + to_text(view.size);
         }

@@ -99,6 +99,26 @@ int usage_error(std::string_view command, std::string_view problem) {
     return kFailure;
 }
 
+std::string missing_value(const CLI::App& app, const std::vector<std::string>& arguments) {
+    const CLI::App* command = nullptr;
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (!arguments.empty() && sub->get_name() == arguments.front()) command = sub;
+    }
+    if (command == nullptr) return {};
+    const auto find = [command](const std::string& word) -> const CLI::Option* {
+        return word.starts_with('-') && word.size() > 1 ? command->get_option_no_throw(word)
+                                                        : nullptr;
+    };
+    for (std::size_t i = 1; i + 1 < arguments.size(); ++i) {
+        const CLI::Option* option = find(arguments[i]);
+        if (option == nullptr || option->get_expected_max() == 0) continue;
+        ++i;  // its value
+        if (find(arguments[i]) == nullptr) continue;
+        return fmt::format("'{}' wants a value: {}", arguments[i - 1], option->get_type_name());
+    }
+    return {};
+}
+
 std::string repeated_option(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         // A flag has this policy too, to count how often it is given.

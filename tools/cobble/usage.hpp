@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -18,6 +19,10 @@ int usage_error(std::string_view command, std::string_view problem);
 
 /// What is wrong, in our words whatever the option library calls it.
 std::string usage_problem(const CLI::App& command, const CLI::ParseError& error);
+
+/// "'-o' wants a value: FILE" if an option that takes one is followed by another option, which the
+/// option library would take for the value; or "". `arguments` begin with the command.
+std::string missing_value(const CLI::App& app, const std::vector<std::string>& arguments);
 
 /// Of a command line that parses: "'--quiet' is given twice", or "" if no option is that takes no
 /// list. The option library refuses most of these itself, but no flag.
