@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "renderer/accel/half_area.hpp"
+
 namespace cobble::renderer {
 
 namespace {
@@ -44,16 +46,6 @@ void for_each_index(std::uint32_t first, std::uint32_t count, const std::atomic<
         for (std::uint32_t i = first + done; i < first + done + some; ++i) work(i);
         done += some;
     }
-}
-
-/// Half the surface; 0 for an empty box. In double: a float's square may overflow.
-template <typename T>
-double half_area(const BoxBounds<T>& b) {
-    if (b.empty()) return 0;
-    const double x = double{b.hi.x} - double{b.lo.x};
-    const double y = double{b.hi.y} - double{b.lo.y};
-    const double z = double{b.hi.z} - double{b.lo.z};
-    return (x * y + y * z) + z * x;
 }
 
 /// Twice the centre, so that nothing is rounded away by halving.

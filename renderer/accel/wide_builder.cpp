@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "renderer/accel/half_area.hpp"
+
 namespace cobble::renderer {
 
 namespace {
@@ -35,16 +37,6 @@ struct BinaryNode {
 struct Task {
     std::uint32_t node, first, count, depth;
 };
-
-/// Half the surface; 0 for an empty box. In double: a float's square may overflow.
-template <typename T>
-double half_area(const BoxBounds<T>& b) {
-    if (b.empty()) return 0;
-    const double x = double{b.hi.x} - double{b.lo.x};
-    const double y = double{b.hi.y} - double{b.lo.y};
-    const double z = double{b.hi.z} - double{b.lo.z};
-    return (x * y + y * z) + z * x;
-}
 
 template <typename T>
 math::Vec3<T> middle(const BoxBounds<T>& b) {

@@ -72,29 +72,11 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
     const std::size_t at = group * Packet::kLanes;
     const auto corner = [&](std::size_t i, std::size_t axis)
                             HWY_ATTR { return hn::Set(d, block.vertices[i][axis][lane]); };
-    const auto ox = hn::Load(d, p.origin[p.kx] + at);
-    const auto oy = hn::Load(d, p.origin[p.ky] + at);
-    const auto oz = hn::Load(d, p.origin[p.kz] + at);
-    const auto sx = hn::Load(d, p.sx + at);
-    const auto sy = hn::Load(d, p.sy + at);
-    const auto az = hn::Sub(corner(0, p.kz), oz);
-    const auto bz = hn::Sub(corner(1, p.kz), oz);
-    const auto cz = hn::Sub(corner(2, p.kz), oz);
-    const auto ax = hn::Sub(hn::Sub(corner(0, p.kx), ox), hn::Mul(sx, az));
-    const auto bx = hn::Sub(hn::Sub(corner(1, p.kx), ox), hn::Mul(sx, bz));
-    const auto cx = hn::Sub(hn::Sub(corner(2, p.kx), ox), hn::Mul(sx, cz));
-    const auto ay = hn::Sub(hn::Sub(corner(0, p.ky), oy), hn::Mul(sy, az));
-    const auto by = hn::Sub(hn::Sub(corner(1, p.ky), oy), hn::Mul(sy, bz));
-    const auto cy = hn::Sub(hn::Sub(corner(2, p.ky), oy), hn::Mul(sy, cz));
-    const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-    const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-    const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-    const auto error = edge_errors(
-        d,
-        hn::Add(hn::Add(hn::Add(hn::Abs(ax), hn::Abs(ay)), hn::Add(hn::Abs(bx), hn::Abs(by))),
-                hn::Add(hn::Abs(cx), hn::Abs(cy))),
-        hn::Add(hn::Add(hn::Abs(az), hn::Abs(bz)), hn::Abs(cz)));
-    const auto open = hn::Not(surely_outside(d, u, v, w, error));
+    const ShearLanes<hn::Vec<D>> shear{
+        hn::Load(d, p.origin[p.kx] + at), hn::Load(d, p.origin[p.ky] + at),
+        hn::Load(d, p.origin[p.kz] + at), hn::Load(d, p.sx + at), hn::Load(d, p.sy + at)};
+    const auto edges = edges_of(d, shear, p.kx, p.ky, p.kz, corner);
+    const auto open = hn::Not(surely_outside(d, edges.u, edges.v, edges.w, edges.error));
     if (hn::AllFalse(d, open)) return;
 
     auto near = hn::Set(d, std::numeric_limits<float>::lowest());
@@ -120,7 +102,7 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
         hn::And(hn::And(open, hn::Le(near, far)), hn::And(hn::Gt(far, min), hn::Le(near, bound)));
     std::uint32_t bits = bits_of(d, left);
     if (bits == 0) return;
-    const std::uint32_t sure_bits = bits_of(d, surely_inside(d, u, v, w));
+    const std::uint32_t sure_bits = bits_of(d, surely_inside(d, edges.u, edges.v, edges.w));
     alignas(64) float nears[Packet::kLanes];
     alignas(64) float fars[Packet::kLanes];
     hn::Store(near, d, nears);

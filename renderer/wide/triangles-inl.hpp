@@ -32,6 +32,45 @@ HWY_INLINE V edge_errors(D d, V size, V depth) {
                    hn::Set(d, detail::kEdgeThreshold<T>));
 }
 
+/// RayShear in lanes: the origin along its axes kx, ky and kz, and the slopes.
+template <class V>
+struct ShearLanes {
+    V ox, oy, oz, sx, sy;
+};
+
+/// The sheared corners, their edge functions, and what these may be off by.
+template <class V>
+struct EdgeLanes {
+    V ax, ay, bx, by, cx, cy;
+    V u, v, w;
+    V error;
+};
+
+/// The arithmetic of intersect_triangle(); `corner(i, axis)` gives the corners, one ray's many or
+/// many rays' one.
+template <class D, typename Corner, class V = hn::Vec<D>>
+HWY_INLINE EdgeLanes<V> edges_of(D d, const ShearLanes<V>& ray, std::size_t kx, std::size_t ky,
+                                 std::size_t kz, Corner corner) {
+    EdgeLanes<V> e;
+    const V az = hn::Sub(corner(0, kz), ray.oz);
+    const V bz = hn::Sub(corner(1, kz), ray.oz);
+    const V cz = hn::Sub(corner(2, kz), ray.oz);
+    e.ax = hn::Sub(hn::Sub(corner(0, kx), ray.ox), hn::Mul(ray.sx, az));
+    e.bx = hn::Sub(hn::Sub(corner(1, kx), ray.ox), hn::Mul(ray.sx, bz));
+    e.cx = hn::Sub(hn::Sub(corner(2, kx), ray.ox), hn::Mul(ray.sx, cz));
+    e.ay = hn::Sub(hn::Sub(corner(0, ky), ray.oy), hn::Mul(ray.sy, az));
+    e.by = hn::Sub(hn::Sub(corner(1, ky), ray.oy), hn::Mul(ray.sy, bz));
+    e.cy = hn::Sub(hn::Sub(corner(2, ky), ray.oy), hn::Mul(ray.sy, cz));
+    e.u = hn::Sub(hn::Mul(e.cx, e.by), hn::Mul(e.cy, e.bx));
+    e.v = hn::Sub(hn::Mul(e.ax, e.cy), hn::Mul(e.ay, e.cx));
+    e.w = hn::Sub(hn::Mul(e.bx, e.ay), hn::Mul(e.by, e.ax));
+    const V size = hn::Add(
+        hn::Add(hn::Add(hn::Abs(e.ax), hn::Abs(e.ay)), hn::Add(hn::Abs(e.bx), hn::Abs(e.by))),
+        hn::Add(hn::Abs(e.cx), hn::Abs(e.cy)));
+    e.error = edge_errors(d, size, hn::Add(hn::Add(hn::Abs(az), hn::Abs(bz)), hn::Abs(cz)));
+    return e;
+}
+
 /// Two edge functions have opposite signs beyond what they may err by: what intersect_triangle()
 /// refuses at once. Written so that NaN and infinity are "not sure".
 template <class D, class V = hn::Vec<D>>
@@ -71,32 +110,15 @@ HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray
     constexpr std::size_t kLanes = hn::MaxLanes(D());
     const RayShear<T>& s = ray.shear;
     const auto most = hn::Set(d, std::numeric_limits<T>::max());
-    const auto sx = hn::Set(d, s.sx);
-    const auto sy = hn::Set(d, s.sy);
-    const auto ox = hn::Set(d, s.origin[s.kx]);
-    const auto oy = hn::Set(d, s.origin[s.ky]);
-    const auto oz = hn::Set(d, s.origin[s.kz]);
+    const ShearLanes<hn::Vec<D>> shear{hn::Set(d, s.origin[s.kx]), hn::Set(d, s.origin[s.ky]),
+                                       hn::Set(d, s.origin[s.kz]), hn::Set(d, s.sx),
+                                       hn::Set(d, s.sy)};
     for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
         const auto corner = [&](std::size_t i, std::size_t axis)
                                 HWY_ATTR { return hn::Load(d, block.vertices[i][axis] + part); };
-        const auto az = hn::Sub(corner(0, s.kz), oz);
-        const auto bz = hn::Sub(corner(1, s.kz), oz);
-        const auto cz = hn::Sub(corner(2, s.kz), oz);
-        const auto ax = hn::Sub(hn::Sub(corner(0, s.kx), ox), hn::Mul(sx, az));
-        const auto bx = hn::Sub(hn::Sub(corner(1, s.kx), ox), hn::Mul(sx, bz));
-        const auto cx = hn::Sub(hn::Sub(corner(2, s.kx), ox), hn::Mul(sx, cz));
-        const auto ay = hn::Sub(hn::Sub(corner(0, s.ky), oy), hn::Mul(sy, az));
-        const auto by = hn::Sub(hn::Sub(corner(1, s.ky), oy), hn::Mul(sy, bz));
-        const auto cy = hn::Sub(hn::Sub(corner(2, s.ky), oy), hn::Mul(sy, cz));
-        const auto u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
-        const auto v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
-        const auto w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
-        const auto outside_by = edge_errors(
-            d,
-            hn::Add(hn::Add(hn::Add(hn::Abs(ax), hn::Abs(ay)), hn::Add(hn::Abs(bx), hn::Abs(by))),
-                    hn::Add(hn::Abs(cx), hn::Abs(cy))),
-            hn::Add(hn::Add(hn::Abs(az), hn::Abs(bz)), hn::Abs(cz)));
-        auto open = hn::Not(surely_outside(d, u, v, w, outside_by));
+        const auto [ax, ay, bx, by, cx, cy, u, v, w, error] =
+            edges_of(d, shear, s.kx, s.ky, s.kz, corner);
+        auto open = hn::Not(surely_outside(d, u, v, w, error));
         if (HWY_LIKELY(hn::AllFalse(d, open))) continue;
 
         auto near = hn::Set(d, std::numeric_limits<T>::lowest());
