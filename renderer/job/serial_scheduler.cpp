@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <exception>
-#include <utility>
 
 #include "renderer/job/scheduler.hpp"
 
 namespace cobble::renderer {
 namespace {
 
-class Finished final : public Background {
-  public:
-    explicit Finished(std::exception_ptr failure) : failure_(std::move(failure)) {}
+struct Finished final : Background {
     bool wait_until(std::chrono::steady_clock::time_point) override {
-        if (failure_) std::rethrow_exception(failure_);
+        if (failure) std::rethrow_exception(failure);
         return true;
     }
 
-  private:
-    std::exception_ptr failure_;
+    std::exception_ptr failure;
 };
 
 class SerialScheduler final : public Scheduler {
@@ -24,13 +20,13 @@ class SerialScheduler final : public Scheduler {
     [[nodiscard]] std::uint32_t workers() const override { return 1; }
     void run(const std::function<void(std::uint32_t)>& work) override { work(0); }
     std::unique_ptr<Background> start(std::function<void()> work) override {
-        std::exception_ptr failure;
+        auto finished = std::make_unique<Finished>();
         try {
             work();
         } catch (...) {
-            failure = std::current_exception();
+            finished->failure = std::current_exception();
         }
-        return std::make_unique<Finished>(std::move(failure));
+        return finished;
     }
 };
 

@@ -65,7 +65,7 @@ inline RayForms<float> forms_of(const Packet& p, std::size_t ray) {
 }
 
 /// Computes t, u and v of the triangle that is ahead, if there is one.
-HWY_NOINLINE void settle(const WideTree<float>& tree, Packet& p, std::size_t ray) {
+HWY_NOINLINE inline void settle(const WideTree<float>& tree, Packet& p, std::size_t ray) {
     const std::uint32_t ahead = p.ahead[ray];
     if (ahead == Packet::kNoTriangle) return;
     p.ahead[ray] = Packet::kNoTriangle;
@@ -85,7 +85,7 @@ HWY_NOINLINE void settle(const WideTree<float>& tree, Packet& p, std::size_t ray
 
 /// settle() of all rays: the same arithmetic, a lane each. Every lane is computed, those that no
 /// triangle waits for with that of another ray.
-HWY_NOINLINE void settle_all(const WideTree<float>& tree, Packet& p) {
+HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
     std::size_t some = p.count;
     for (std::size_t i = 0; i < p.count; ++i) {
         if (p.ahead[i] != Packet::kNoTriangle) some = i;
