@@ -7,30 +7,25 @@
 namespace cobble::renderer {
 
 PreparedCamera::PreparedCamera(const ir::Camera& camera, std::uint32_t width, std::uint32_t height)
-    : camera_(camera),
+    : center_(camera.center),
+      forward_(camera.forward),
+      right_(camera.right),
+      up_(camera.up),
+      aperture_(camera.aperture),
+      focus_distance_(camera.focus_distance),
+      blades_(camera.blades),
+      shutter_open_(camera.shutter_open),
+      shutter_close_(camera.shutter_close),
       width_(width),
       height_(height),
       half_pixel_(math::tan(camera.angle / 2) / height) {}
 
-math::Vec3d PreparedCamera::toward(double x, double y) const {
-    // Twice the distance from the middle, so that mirrored pixels get mirrored numbers exactly.
-    const double right = (2 * x - width_) * half_pixel_;
-    const double up = (height_ - 2 * y) * half_pixel_;
-    return camera_.forward + (camera_.right * right + camera_.up * up);
-}
-
-CameraRay PreparedCamera::pinhole(double x, double y) const {
-    return {camera_.center, math::normalize(toward(x, y))};
-}
-
 CameraRay PreparedCamera::through_lens(double x, double y, Uniform2 lens) const {
-    if (!(camera_.focus_distance > 0)) return pinhole(x, y);
-    const math::Vec2d place =
-        camera_.blades >= 3 ? sample_polygon(lens, camera_.blades) : sample_disk(lens);
-    const double radius = camera_.aperture / 2;
-    const math::Vec3d offset = camera_.right * (radius * place.x) + camera_.up * (radius * place.y);
-    return {camera_.center + offset,
-            math::normalize(toward(x, y) - offset / camera_.focus_distance)};
+    if (!(focus_distance_ > 0)) return pinhole(x, y);
+    const math::Vec2d place = blades_ >= 3 ? sample_polygon(lens, blades_) : sample_disk(lens);
+    const double radius = aperture_ / 2;
+    const math::Vec3d offset = right_ * (radius * place.x) + up_ * (radius * place.y);
+    return {center_ + offset, math::normalize(toward(x, y) - offset / focus_distance_)};
 }
 
 }  // namespace cobble::renderer

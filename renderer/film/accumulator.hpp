@@ -78,6 +78,14 @@ class PixelAccumulator {
         return true;
     }
 
+    /// add() of a sample whose other pictures nobody wants, and which are sound if its colour is.
+    [[nodiscard]] bool add_color(math::Vec3d color) {
+        if (!finite(color)) return false;
+        ++samples_;
+        color_.add(color);
+        return true;
+    }
+
     [[nodiscard]] Pixel pixel() const {
         Pixel result;
         result.samples = samples_;

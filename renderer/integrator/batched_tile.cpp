@@ -2,250 +2,165 @@
 #include "renderer/integrator/batched_tile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace cobble::renderer {
 namespace {
 
-/// A sample may run ahead of one that takes long by this many batches. A tree of 2^8 rays beside
-/// pixels of one ray then still finds company, and what waits stays small.
-constexpr std::size_t kBatchesAhead = 8;
+/// Samples on their way at once, at most: so many that of those who went the same way there is a
+/// packet or two, and that what they need stays in the second cache.
+constexpr std::uint32_t kFlights = 512;
 
-/// What the core may do between two looks at the clock: 2 ms at 10 ns a test, far below the 10 ms
-/// by which a step may overrun. One batch of an ordinary scene is a tenth of it.
-constexpr std::uint64_t kTestsAtOnce = 200000;
-/// A packet or two, so that they are worth their name; 10 ms if each ray takes 60,000 tests.
-constexpr std::size_t kFewestAtOnce = 16;
+/// A sample may run ahead of one that takes long by this many times all flights. A tree of 2^8 rays
+/// beside pixels of one ray then still finds company, and what waits stays small.
+constexpr std::size_t kAhead = 8;
+
+/// Fewer rays that went the same way are no packet.
+constexpr std::size_t kFewestCoherent = 16;
 
 std::uint32_t flights_for(const Tile& tile, std::uint32_t samples) {
-    if (tile.pixels() >= kBatchSize) return kBatchSize;
+    if (tile.pixels() >= kFlights) return kFlights;
     return static_cast<std::uint32_t>(
-        std::clamp<std::uint64_t>(tile.pixels() * samples, 1, kBatchSize));
-}
-
-std::uint64_t tests(const Counters& counters) {
-    return counters.box_tests + counters.primitive_tests;
+        std::clamp<std::uint64_t>(tile.pixels() * samples, 1, kFlights));
 }
 
 }  // namespace
-
-template <typename T>
-void BatchedTile<T>::Cursor::advance(const Tile& tile, std::uint32_t samples_per_pixel) {
-    ++number;
-    if (++sample < samples_per_pixel) return;
-    sample = 0;
-    if (++pixel < tile.pixels()) place = pixel_in_blocks(tile, pixel);
-}
-
-template <typename T>
-void BatchedTile<T>::Rays::clear() {
-    rays.clear();
-    excludes.clear();
-    coherent = asked = 0;
-}
-
-template <typename T>
-void BatchedTile<T>::Rays::add(const Ray<T>& ray, const Exclude& exclude) {
-    rays.push_back(ray);
-    excludes.push_back(exclude);
-}
 
 template <typename T>
 BatchedTile<T>::BatchedTile(const ShadingScene<T>& scene, const Settings& settings,
                             const Tile& tile)
     : scene_(&scene),
       settings_(&settings),
+      only_color_(color_tells_all(scene, settings)),
       samples_(std::max(settings.samples, 1U)),
       flights_(flights_for(tile, samples_)),
-      next_to_begin_(tile),
-      hits_(flights_.size()),
-      met_(flights_.size()),
-      hidden_(flights_.size()),
-      at_once_(kFewestAtOnce),
-      landed_(kBatchesAhead * std::bit_ceil(flights_.size())),
+      camera_(scene, settings, tile),
+      batch_(scene),
+      landed_(kAhead * std::bit_ceil(flights_.size())),
       next_to_land_(tile) {
     const std::size_t count = flights_.size();
     for (Flight& flight : flights_) flight.trace.stack.reserve(deepest_stack(scene));
-    for (auto* list : {&idle_, &order_, &older_, &asker_}) list->reserve(count);
-    for (Rays* rays : {&rays_, &shadow_}) {
-        rays->rays.reserve(count);
-        rays->excludes.reserve(count);
-    }
-    contribution_.reserve(count);
+    for (auto* list : {&idle_, &next_, &round_}) list->reserve(count);
     for (std::size_t i = count; i > 0; --i) idle_.push_back(static_cast<std::uint32_t>(i - 1));
 }
 
 template <typename T>
 bool BatchedTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
+    const auto draw = [this](std::size_t lane, std::uint32_t light) {
+        const Flight& of = flight(lane);
+        return of.sampler.draw(Draw::kLight, of.trace.stack.back().path, light);
+    };
     while (!work.done()) {
         if (stop.now()) return false;
-        do_stage(work, film);
+        if (!on_its_way_) {
+            gather(work);
+        } else if (batch_.step(work.counters, draw)) {
+            scatter_all();
+            land(work, film);
+        }
     }
     return true;
 }
 
 template <typename T>
-void BatchedTile<T>::do_stage(TileWork& work, Film& film) {
-    Counters& counters = work.counters;
-    switch (stage_) {
-        case Stage::kGather:
-            gather(work);
-            stage_ = Stage::kMeet;
-            break;
-        case Stage::kMeet:
-            if (ask_core(rays_, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
-                    closest_hits<T>(scene_->geometry, std::span(rays_.rays).subspan(at, n),
-                                    std::span(rays_.excludes).subspan(at, n),
-                                    std::span(hits_).subspan(at, n), counters, coherence);
-                })) {
-                stage_ = Stage::kLook;
-            }
-            break;
-        case Stage::kLook:
-            look();
-            light_ = 0;
-            stage_ = any_lit_ && !scene_->lights.empty() ? Stage::kAsk : Stage::kScatter;
-            break;
-        case Stage::kAsk:
-            ask_all(counters);
-            if (shadow_.rays.empty()) {
-                next_light();
-            } else {
-                stage_ = Stage::kShadow;
-            }
-            break;
-        case Stage::kShadow:
-            if (ask_core(shadow_, counters,
-                         [&](std::size_t at, std::size_t n, Coherence coherence) {
-                             any_hits<T>(scene_->geometry, std::span(shadow_.rays).subspan(at, n),
-                                         std::span(shadow_.excludes).subspan(at, n),
-                                         std::span(hidden_).subspan(at, n), counters, coherence);
-                         })) {
-                sum_light();
-                next_light();
-            }
-            break;
-        case Stage::kScatter:
-            scatter_all();
-            land(work, film);
-            stage_ = Stage::kGather;
-            break;
-    }
-}
-
-template <typename T>
-template <typename Core>
-bool BatchedTile<T>::ask_core(Rays& rays, const Counters& counters, const Core& core) {
-    const bool coherent = rays.asked < rays.coherent;
-    const std::size_t end = coherent ? rays.coherent : rays.rays.size();
-    const std::size_t count = std::min(end - rays.asked, at_once_);
-    const std::uint64_t before = tests(counters);
-    core(rays.asked, count, coherent ? Coherence::kCoherent : Coherence::kNone);
-    rays.asked += count;
-    const std::uint64_t of_one = (tests(counters) - before) / count + 1;
-    at_once_ = std::clamp<std::size_t>(kTestsAtOnce / of_one, kFewestAtOnce, kBatchSize);
-    return rays.asked == rays.rays.size();
-}
-
-template <typename T>
 void BatchedTile<T>::begin_samples(const Tile& tile) {
-    while (!idle_.empty() && next_to_begin_.pixel < tile.pixels() &&
-           next_to_begin_.number - next_to_land_.number < landed_.size()) {
-        const PixelPlace at = next_to_begin_.place;
-        Flight& flight = flights_[idle_.back()];
-        flight.sampler = Sampler(settings_->seed, at.x, at.y, next_to_begin_.sample);
-        flight.number = next_to_begin_.number;
-        begin_sample(*scene_, *settings_, flight.sampler, at.x, at.y, flight.trace);
-        order_.push_back(idle_.back());
-        idle_.pop_back();
-        next_to_begin_.advance(tile, samples_);
+    while (!idle_.empty()) {
+        const std::uint64_t ahead = camera_.next().number - next_to_land_.number;
+        const std::size_t begun = camera_.begin(
+            tile, std::min(idle_.size(), landed_.size() - static_cast<std::size_t>(ahead)));
+        if (begun == 0) return;
+        std::uint64_t number = camera_.next().number - begun;
+        for (std::size_t i = 0; i < begun; ++i) {
+            const std::uint32_t index = idle_.back();
+            idle_.pop_back();
+            next_.push_back(index);
+            Flight& flight = flights_[index];
+            flight.sampler = camera_.sampler(i);
+            flight.number = number++;
+            flight.trace.sample = {};
+            flight.trace.first_object = {};
+            flight.trace.stack.emplace_back().ray = camera_.ray(i);
+        }
     }
 }
 
-/// The top ray of every stack. New samples are begun only when half of the flights are idle, so
-/// that their rays are many: those from the camera are the coherent ones.
+/// By the turns of their rays, those of a few turns one by one; else as they were.
+template <typename T>
+void BatchedTile<T>::sort_round() {
+    constexpr std::size_t kPaths = 256;  // all of up to seven turns
+    const auto path_of = [this](std::uint32_t index) {
+        return std::min<std::uint64_t>(flights_[index].trace.stack.back().path.value(), kPaths - 1);
+    };
+    std::array<std::uint32_t, kPaths + 1> begins{};
+    for (const std::uint32_t index : next_) ++begins[path_of(index) + 1];
+    for (std::size_t i = 0; i < kPaths; ++i) begins[i + 1] += begins[i];
+    round_.resize(next_.size());
+    for (const std::uint32_t index : next_) round_[begins[path_of(index)]++] = index;
+    next_.clear();
+}
+
+/// The next batch of the round, or the first of a new one. New samples are begun only when half of
+/// the flights are idle, so that their rays are many: those from the camera are the most coherent.
 template <typename T>
 void BatchedTile<T>::gather(TileWork& work) {
-    rays_.clear();
-    if (2 * idle_.size() >= flights_.size()) {
-        older_.swap(order_);
-        order_.clear();
-        begin_samples(work.tile);
-        rays_.coherent = order_.size();
-        order_.insert(order_.end(), older_.begin(), older_.end());
+    RayBatch<T>& rays = batch_.rays();
+    first_ += rays.size();
+    if (first_ == round_.size()) {
+        if (2 * idle_.size() >= flights_.size()) begin_samples(work.tile);
+        sort_round();
+        first_ = 0;
     }
-    for (const std::uint32_t index : order_) {
-        const TracedRay<T>& ray = flights_[index].trace.stack.back();
-        rays_.add(ray.ray, ray.exclude);
-        count(work.counters, ray.kind);
-    }
-}
-
-template <typename T>
-void BatchedTile<T>::look() {
-    any_lit_ = false;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        met_[i].hit = hits_[i];
-        meet(*scene_, flights_[order_[i]].trace.stack.back(), met_[i]);
-        any_lit_ = any_lit_ || met_[i].lit();
-    }
-}
-
-/// What the light adds where nothing can be in its way is added at once.
-template <typename T>
-void BatchedTile<T>::ask_all(Counters& counters) {
-    shadow_.clear();
-    asker_.clear();
-    contribution_.clear();
-    for (std::uint32_t i = 0; i < order_.size(); ++i) {
-        if (!met_[i].lit()) continue;
-        const Flight& flight = flights_[order_[i]];
-        const LightQuestion<T> light =
-            ask_light(*scene_, flight.sampler, flight.trace.stack.back(), met_[i], light_);
-        if (!light.matters) continue;
-        if (!scene_->effects.shadows) {
-            met_[i].light += light.contribution;
-            continue;
+    rays.clear();
+    const std::size_t count = std::min(kBatchSize, round_.size() - first_);
+    PathAddress path;
+    std::size_t alike = 0;
+    const auto end_stretch = [&] {
+        rays.end_stretch(alike >= kFewestCoherent ? Coherence::kCoherent : Coherence::kNone);
+        alike = 0;
+    };
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const TracedRay<T>& ray = flight(lane).trace.stack.back();
+        if (ray.path.value() != path.value()) {
+            end_stretch();
+            path = ray.path;
         }
-        shadow_.add(light.shadow.ray, light.shadow.exclude);
-        asker_.push_back(i);
-        contribution_.push_back(light.contribution);
-        if (i < rays_.coherent) ++shadow_.coherent;
+        ++alike;
+        rays.add(ray.ray, ray.exclude);
+        renderer::count(work.counters, ray.kind);
     }
-    counters.shadow_rays += shadow_.rays.size();
-}
-
-template <typename T>
-void BatchedTile<T>::sum_light() {
-    for (std::size_t i = 0; i < asker_.size(); ++i) {
-        if (hidden_[i] == 0) met_[asker_[i]].light += contribution_[i];
-    }
-}
-
-template <typename T>
-void BatchedTile<T>::next_light() {
-    ++light_;
-    stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kScatter;
+    end_stretch();
+    batch_.begin();
+    on_its_way_ = true;
 }
 
 template <typename T>
 void BatchedTile<T>::scatter_all() {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        Flight& flight = flights_[order_[i]];
+    const std::size_t count = batch_.rays().size();
+    const BatchShading<T>& shading = batch_.shading();
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        Flight& flight = this->flight(lane);
         SampleTrace<T>& trace = flight.trace;
         const TracedRay<T> ray = trace.stack.back();
         trace.stack.pop_back();
-        scatter(*scene_, ray, met_[i], children_);
-        bring_back(trace, ray, met_[i], color_of(*scene_, ray, met_[i]), children_);
+        children_.count = 0;
+        if (ray.kind == RayKind::kCamera) {
+            trace.first_object = batch_.hit(lane).object;
+            if (!only_color_) see_first(trace.sample, shading.encounter(lane));
+        }
+        if (ray.depth < scene_->bounces && shading.may_scatter(lane)) {
+            scatter(*scene_, ray, shading.encounter(lane), children_);
+        }
+        bring_back(trace, ray, batch_.color(lane), children_);
+        const std::uint32_t index = round_[first_ + lane];
         if (!trace.done()) {
-            order_[kept++] = order_[i];
+            next_.push_back(index);
             continue;
         }
         landed_[flight.number % landed_.size()] = {trace.sample, trace.first_object, true};
-        idle_.push_back(order_[i]);
+        idle_.push_back(index);
     }
-    order_.resize(kept);
+    on_its_way_ = false;
 }
 
 /// Into the pixel, in the order of samples, whatever has landed without a gap.
@@ -257,7 +172,9 @@ void BatchedTile<T>::land(TileWork& work, Film& film) {
         landed.there = false;
         const PixelPlace at = next_to_land_.place;
         const std::uint32_t sample = next_to_land_.sample;
-        if (!sums_.add(landed.sample)) {
+        const bool sound =
+            only_color_ ? sums_.add_color(landed.sample.color) : sums_.add(landed.sample);
+        if (!sound) {
             work.report(bad_sample(*scene_->source, at.x, at.y, sample, landed.first_object));
         }
         ++work.samples_done;

@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "renderer/integrator/batched_tile.hpp"
+#include "renderer/integrator/flat_tile.hpp"
 #include "renderer/integrator/single_tile.hpp"
 
 namespace cobble::renderer {
 
 template <typename T>
 SceneRenderer<T>::SceneRenderer(ShadingScene<T> scene, const Settings& settings)
-    : scene_(std::move(scene)), settings_(settings) {}
+    : scene_(std::move(scene)), settings_(settings), any_scatters_(scene_.any_scatters()) {}
 
 template <typename T>
 template <typename Way>
@@ -23,10 +24,12 @@ void SceneRenderer<T>::go_on(TileWork& work, Film& film, StopCheck& stop) const 
 
 template <typename T>
 void SceneRenderer<T>::render_tile(TileWork& work, Film& film, StopCheck& stop) const {
-    if (settings_.acceleration == Acceleration::kFast) {
+    if (settings_.acceleration != Acceleration::kFast) {
+        go_on<SingleTile<T>>(work, film, stop);
+    } else if (any_scatters_) {
         go_on<BatchedTile<T>>(work, film, stop);
     } else {
-        go_on<SingleTile<T>>(work, film, stop);
+        go_on<FlatTile<T>>(work, film, stop);
     }
 }
 

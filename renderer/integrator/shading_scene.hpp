@@ -3,6 +3,7 @@
 // effects are simulated.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -75,6 +76,16 @@ struct ShadingScene {
     [[nodiscard]] const PreparedMaterial<T>& material(ir::MaterialId id) const {
         return id.value + std::size_t{1} < materials.size() ? materials[id.value]
                                                             : materials.back();
+    }
+    /// Whether a ray may go on from a surface of this material.
+    [[nodiscard]] bool scatters(const PreparedMaterial<T>& of) const {
+        return bounces > 0 && !(of.specular == math::Vec3<T>{}) &&
+               (effects.reflection || (effects.refraction && of.refraction_index > T(0)));
+    }
+    /// Whether any ray goes on from anywhere.
+    [[nodiscard]] bool any_scatters() const {
+        return std::any_of(materials.begin(), materials.end(),
+                           [this](const PreparedMaterial<T>& of) { return scatters(of); });
     }
     /// Bytes of all this, without the source's images.
     [[nodiscard]] std::uint64_t bytes() const;

@@ -13,14 +13,6 @@ bool is_zero(math::Vec3<T> v) {
     return v.x == T(0) && v.y == T(0) && v.z == T(0);
 }
 
-template <typename T>
-math::Vec3<T> background(const ShadingScene<T>& scene, math::Vec3<T> direction) {
-    if (scene.sky == nullptr) return scene.background;
-    return sample_cube_map(*scene.source, *scene.sky, ir::TextureFilter::kBilinear,
-                           direction.template to<double>())
-        .template to<T>();
-}
-
 /// A light sends nothing from below: below the surface itself where shadows are simulated (the
 /// surface hides it), and in any case below the surface that a map bends. Without shadows the
 /// interpolated normal alone decides, as in the published programs.
@@ -47,10 +39,10 @@ void follow(Offspring<T>& children, const TracedRay<T>& ray, const SurfacePoint<
 
 /// 0.5 of the surroundings in the mirror's direction, 0.5 of the surface's own colour; unlit.
 template <typename T>
-math::Vec3<T> environment_mapped(const ShadingScene<T>& scene, const TracedRay<T>& ray,
+math::Vec3<T> environment_mapped(const ShadingScene<T>& scene, const Ray<T>& ray,
                                  const PreparedMaterial<T>& material, const SurfaceLook<T>& look) {
     const math::Vec3<T> direction =
-        keep_above(reflect(ray.ray.direction, look.viewer_normal), look.viewer_geometric);
+        keep_above(reflect(ray.direction, look.viewer_normal), look.viewer_geometric);
     const auto around = sample_cube_map(*scene.source, *material.cube_map, material.filter,
                                         direction.template to<double>())
                             .template to<T>();
@@ -88,13 +80,16 @@ TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, do
 }
 
 template <typename T>
-void meet(const ShadingScene<T>& scene, const TracedRay<T>& ray, Encounter<T>& met) {
+void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met) {
     if (!met.hit) return;
-    met.point = surface_at(scene.geometry, ray.ray, met.hit);
+    met.point = surface_at(scene.geometry, ray, met.hit);
     met.material = &scene.material(met.point.material);
-    met.look = look_at_surface(scene, *met.material, met.point, ray.ray.direction);
+    met.look = look_at_surface(scene, *met.material, met.point, ray.direction);
     if (!met.lit()) return;
-    met.mirrored = reflect(ray.ray.direction, met.look.normal);
+    if (scene.effects.highlights &&
+        has_highlight(met.material->specular, met.material->shininess)) {
+        met.mirrored = reflect(ray.direction, met.look.normal);
+    }
     met.light = {};
 }
 
@@ -122,9 +117,15 @@ LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
 }
 
 template <typename T>
-math::Vec3<T> color_of(const ShadingScene<T>& scene, const TracedRay<T>& ray,
-                       const Encounter<T>& met) {
-    if (!met.hit) return background(scene, ray.ray.direction);
+math::Vec3<T> sky_color(const ShadingScene<T>& scene, math::Vec3<T> direction) {
+    return sample_cube_map(*scene.source, *scene.sky, ir::TextureFilter::kBilinear,
+                           direction.template to<double>())
+        .template to<T>();
+}
+
+template <typename T>
+math::Vec3<T> color_of(const ShadingScene<T>& scene, const Ray<T>& ray, const Encounter<T>& met) {
+    if (!met.hit) return background(scene, ray.direction);
     if (!met.lit()) return environment_mapped(scene, ray, *met.material, met.look);
     return scene.ambient * met.look.kd + met.light;
 }
@@ -134,10 +135,9 @@ template <typename T>
 void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encounter<T>& met,
              Offspring<T>& children) {
     children.count = 0;
-    if (!met.hit || ray.depth >= scene.bounces || is_zero(met.material->specular)) return;
+    if (!met.hit || ray.depth >= scene.bounces || !scene.scatters(*met.material)) return;
     const PreparedMaterial<T>& material = *met.material;
     const bool see_through = material.refraction_index > T(0);
-    if (!scene.effects.reflection && !(scene.effects.refraction && see_through)) return;
     const SurfaceLook<T>& look = met.look;
     const math::Vec3<T> tint = ray.weight * material.specular;
     T reflectance = 1;
@@ -163,11 +163,11 @@ void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encoun
 
 #define COBBLE_INSTANTIATE(T)                                                                     \
     template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double);     \
-    template void meet(const ShadingScene<T>&, const TracedRay<T>&, Encounter<T>&);               \
+    template void meet(const ShadingScene<T>&, const Ray<T>&, Encounter<T>&);                     \
+    template math::Vec3<T> sky_color(const ShadingScene<T>&, math::Vec3<T>);                      \
     template LightQuestion<T> ask_light(const ShadingScene<T>&, const Sampler&,                   \
                                         const TracedRay<T>&, const Encounter<T>&, std::uint32_t); \
-    template math::Vec3<T> color_of(const ShadingScene<T>&, const TracedRay<T>&,                  \
-                                    const Encounter<T>&);                                         \
+    template math::Vec3<T> color_of(const ShadingScene<T>&, const Ray<T>&, const Encounter<T>&);  \
     template void scatter(const ShadingScene<T>&, const TracedRay<T>&, const Encounter<T>&,       \
                           Offspring<T>&);
 COBBLE_INSTANTIATE(float)

@@ -47,7 +47,7 @@ struct Encounter {
     SurfacePoint<T> point;
     SurfaceLook<T> look;
     const PreparedMaterial<T>* material = nullptr;
-    math::Vec3<T> mirrored;  ///< if lit: the ray's direction, mirrored at look.normal
+    math::Vec3<T> mirrored;  ///< for a highlight: the ray's direction, mirrored at look.normal
     math::Vec3<T> light;     ///< if lit: the sum of what the lights add, in their order
 
     /// Whether the lights have a say. Surfaces that show their surroundings are unlit.
@@ -56,7 +56,7 @@ struct Encounter {
 
 /// From `met.hit`, closest_hit()'s answer to `ray`, to all the rest; no light has shone yet.
 template <typename T>
-void meet(const ShadingScene<T>& scene, const TracedRay<T>& ray, Encounter<T>& met);
+void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met);
 
 /// What a light adds if nothing is in its way, and the ray that finds that out.
 template <typename T>
@@ -73,8 +73,15 @@ LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
 
 /// What the ray brings back by itself: of the surface under its lights, or of the background.
 template <typename T>
-math::Vec3<T> color_of(const ShadingScene<T>& scene, const TracedRay<T>& ray,
-                       const Encounter<T>& met);
+math::Vec3<T> color_of(const ShadingScene<T>& scene, const Ray<T>& ray, const Encounter<T>& met);
+
+/// What a ray that meets nothing brings back.
+template <typename T>
+math::Vec3<T> sky_color(const ShadingScene<T>& scene, math::Vec3<T> direction);
+template <typename T>
+math::Vec3<T> background(const ShadingScene<T>& scene, math::Vec3<T> direction) {
+    return scene.sky == nullptr ? scene.background : sky_color(scene, direction);
+}
 
 /// Rays that go on from a surface, reflected before refracted.
 template <typename T>

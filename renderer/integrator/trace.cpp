@@ -40,16 +40,9 @@ void begin_sample(const ShadingScene<T>& scene, const Settings& settings, const 
 }
 
 template <typename T>
-void bring_back(SampleTrace<T>& trace, const TracedRay<T>& ray, const Encounter<T>& met,
-                math::Vec3<T> color, const Offspring<T>& children) {
+void bring_back(SampleTrace<T>& trace, const TracedRay<T>& ray, math::Vec3<T> color,
+                const Offspring<T>& children) {
     trace.sample.color += (ray.weight * color).template to<double>();
-    if (ray.kind == RayKind::kCamera && met.hit) {
-        trace.sample.hit = true;
-        trace.sample.depth = static_cast<double>(met.hit.t);
-        trace.sample.normal = met.look.normal.template to<double>();
-        trace.sample.albedo = met.look.kd.template to<double>();
-        trace.first_object = met.point.object;
-    }
     for (std::uint32_t i = children.count; i > 0; --i) {
         trace.stack.push_back(children.rays[i - 1]);
     }
@@ -68,9 +61,9 @@ Shaded<T> shade(const ShadingScene<T>& scene, const Sampler& sampler, const Trac
     Shaded<T> result;
     count(counters, ray.kind);
     result.met.hit = closest_hit(scene.geometry, ray.ray, ray.exclude, counters);
-    meet(scene, ray, result.met);
+    meet(scene, ray.ray, result.met);
     if (result.met.lit()) shine(scene, sampler, ray, result.met, counters, seen);
-    result.color = color_of(scene, ray, result.met);
+    result.color = color_of(scene, ray.ray, result.met);
     scatter(scene, ray, result.met, result.children);
     return result;
 }
@@ -81,14 +74,18 @@ void step(const ShadingScene<T>& scene, const Sampler& sampler, SampleTrace<T>& 
     const TracedRay<T> ray = trace.stack.back();
     trace.stack.pop_back();
     const Shaded<T> shaded = shade(scene, sampler, ray, counters);
-    bring_back(trace, ray, shaded.met, shaded.color, shaded.children);
+    if (ray.kind == RayKind::kCamera && shaded.met.hit) {
+        see_first(trace.sample, shaded.met);
+        trace.first_object = shaded.met.point.object;
+    }
+    bring_back(trace, ray, shaded.color, shaded.children);
 }
 
 #define COBBLE_INSTANTIATE(T)                                                             \
     template void begin_sample(const ShadingScene<T>&, const Settings&, const Sampler&,   \
                                std::uint32_t, std::uint32_t, SampleTrace<T>&);            \
-    template void bring_back(SampleTrace<T>&, const TracedRay<T>&, const Encounter<T>&,   \
-                             math::Vec3<T>, const Offspring<T>&);                         \
+    template void bring_back(SampleTrace<T>&, const TracedRay<T>&, math::Vec3<T>,         \
+                             const Offspring<T>&);                                        \
     template Shaded<T> shade(const ShadingScene<T>&, const Sampler&, const TracedRay<T>&, \
                              Counters&, std::vector<LightAtSurface<T>>*);                 \
     template void step(const ShadingScene<T>&, const Sampler&, SampleTrace<T>&, Counters&);

@@ -41,12 +41,22 @@ template <typename T>
 void begin_sample(const ShadingScene<T>& scene, const Settings& settings, const Sampler& sampler,
                   std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace);
 
+/// What the pictures beside the colour see of a sample: the hit of its first ray, if there is one.
+template <typename T>
+void see_first(Sample& sample, const Encounter<T>& met) {
+    if (!met.hit) return;
+    sample.hit = true;
+    sample.depth = static_cast<double>(met.hit.t);
+    sample.normal = met.look.normal.template to<double>();
+    sample.albedo = met.look.kd.template to<double>();
+}
+
 /// Adds to the sample what `ray`, taken off its stack, brought back, and puts the rays that go on
 /// from there on the stack. Samples have one sequence of bits only if their rays are taken from the
 /// top of the stack, one after the other.
 template <typename T>
-void bring_back(SampleTrace<T>& trace, const TracedRay<T>& ray, const Encounter<T>& met,
-                math::Vec3<T> color, const Offspring<T>& children);
+void bring_back(SampleTrace<T>& trace, const TracedRay<T>& ray, math::Vec3<T> color,
+                const Offspring<T>& children);
 
 /// For a sample that came out as no number.
 BadSample bad_sample(const ir::Scene& scene, std::uint32_t x, std::uint32_t y, std::uint32_t sample,

@@ -9,6 +9,7 @@
 #include "ir/math/elementary.hpp"
 #include "ir/math/inverse.hpp"
 #include "renderer/geometry/wide.hpp"
+#include "renderer/intersect/surface_forms.hpp"
 #include "renderer/scene/moving.hpp"
 #include "renderer/scene/rebase.hpp"
 #include "renderer/scene/shape_bounds.hpp"
@@ -35,21 +36,6 @@ struct Local {
     bool has_tangents = false;
 };
 
-Vec3d to_double(Vec3<double> a) { return a; }
-Vec3d to_double(Vec3<math::DoubleDouble> a) { return a.to<double>(); }
-
-/// Unit length, for vectors of any size: scaled by a power of two first, so that no square leaves
-/// the range. A zero vector stays zero.
-Vec3d unit(Vec3d a) {
-    const double x = std::fabs(a.x);
-    const double y = std::fabs(a.y);
-    const double z = std::fabs(a.z);
-    const double most = x > y ? (x > z ? x : z) : (y > z ? y : z);
-    if (most > 0x1p400) a = a * 0x1p-600;
-    if (most < 0x1p-400) a = a * 0x1p600;
-    return normalize(a);
-}
-
 /// dp/du and dp/dv of a triangle from its edges and those of its texture coordinates.
 template <typename T>
 void set_tangents(Local<T>& local, Vec3d e1, Vec3d e2, Vec2d d1, Vec2d d2) {
@@ -63,12 +49,9 @@ void set_tangents(Local<T>& local, Vec3d e1, Vec3d e2, Vec2d d1, Vec2d d2) {
 template <typename T>
 Local<T> on_triangle(const std::array<Vec3<T>, 3>& v, const Hit<T>& hit) {
     using W = Wide<T>;
-    const W b1(hit.u);
-    const W b2(hit.v);
-    const W b0 = (W(1) - b1) - b2;
     Local<T> local;
-    local.position = (widen(v[0]) * b0 + widen(v[1]) * b1) + widen(v[2]) * b2;
-    local.normal = to_double(cross(widen(v[1]) - widen(v[0]), widen(v[2]) - widen(v[0])));
+    local.position = triangle_point(widen(v[0]), widen(v[1]), widen(v[2]), W(hit.u), W(hit.v));
+    local.normal = triangle_normal(v[0], v[1], v[2]);
     return local;
 }
 
@@ -109,10 +92,8 @@ Local<T> on_sphere(Vec3<T> center, T radius, Vec3<Wide<T>> near, bool want_uv) {
     using W = Wide<T>;
     Local<T> local;
     const Vec3<W> c = widen(center);
-    const Vec3<W> away = near - c;
-    const W size = wide_sqrt(dot(away, away));
     // A radius above 0 was accepted, so that the hit is not the centre.
-    const Vec3<W> n = away / size;
+    const Vec3<W> n = sphere_normal(c, near);
     local.position = c + n * W(radius);
     local.normal = to_double(n);
     if (!want_uv) return local;
@@ -134,16 +115,10 @@ Local<T> on_sphere(Vec3<T> center, T radius, Vec3<Wide<T>> near, bool want_uv) {
 /// Each face from 0 to 1, upright on the four sides; seen from outside u runs to the right.
 template <typename T>
 Local<T> on_box(const BoxBounds<T>& box, std::uint32_t face, Vec3<Wide<T>> near, bool want_uv) {
-    using W = Wide<T>;
     const std::size_t axis = face / 2;
     const bool upper = face % 2 == 1;
     Local<T> local;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const W lo(box.lo[i]);
-        const W hi(box.hi[i]);
-        local.position[i] = near[i] < lo ? lo : near[i] > hi ? hi : near[i];
-    }
-    local.position[axis] = W(upper ? box.hi[axis] : box.lo[axis]);
+    local.position = box_point(box, face, near);
     local.normal[axis] = upper ? 1 : -1;
     if (!want_uv) return local;
     const Vec3d size = box.hi.template to<double>() - box.lo.template to<double>();
@@ -170,12 +145,6 @@ Local<T> on_box(const BoxBounds<T>& box, std::uint32_t face, Vec3<Wide<T>> near,
     local.dp_dv[va] = v_back ? -size[va] : size[va];
     local.has_uv = local.has_tangents = true;
     return local;
-}
-
-template <typename T>
-Vec3<Wide<T>> along(Vec3<T> origin, Vec3<T> direction, T t) {
-    using W = Wide<T>;
-    return widen(origin) + widen(direction) * W(t);
 }
 
 /// u = u_axis . p + u_offset, v likewise, for points of the plane with this normal: how p moves.
@@ -223,11 +192,6 @@ Local<T> on_plane(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>
                      to_double(local.position) + scene.origin);
     }
     return local;
-}
-
-/// A sum of |n_i| b_i.
-double along_normal(Vec3d n, Vec3d b) {
-    return (std::fabs(n.x) * b.x + std::fabs(n.y) * b.y) + std::fabs(n.z) * b.z;
 }
 
 Vec3d magnitudes(const Affined& map, Vec3d p, bool with_offset) {
@@ -294,11 +258,12 @@ SurfacePoint<T> finish(const ir::Object& object, const Hit<T>& hit, const Local<
     // The position was rounded once. A ray that starts there is tested in the wide type, but for an
     // instance it is first mapped in T: four roundings of each row, magnified on the way back; and
     // in double its inverse was rounded too.
-    const Vec3d p{std::fabs(to_double(position).x), std::fabs(to_double(position).y),
-                  std::fabs(to_double(position).z)};
-    double error = double{kRounding<T>} * along_normal(normal, p);
+    double error = rounding_error<T>(normal, to_double(position));
     if (to_world != nullptr) {
-        const Vec3d mapped = magnitudes(*to_object, p, true) * double{gamma<T>(4)};
+        const Vec3d p = to_double(position);
+        const Vec3d mapped =
+            magnitudes(*to_object, {std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}, true) *
+            double{gamma<T>(4)};
         error += along_normal(normal, magnitudes(*to_world, mapped, false));
     }
     s.error = static_cast<T>(error);
@@ -385,40 +350,22 @@ SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, con
 
 template <typename T>
 Departure<T> leave(const SurfacePoint<T>& surface, math::Vec3<T> direction, T time) {
+    const Start<T> start =
+        start_off(surface.position, surface.geometric_normal, surface.error, direction);
     Departure<T> d;
-    const bool outward = dot(direction, surface.geometric_normal) >= 0;
-    // One bound to reach the surface, one for the rounding of the sum (it is as large as that of
-    // the position, or smaller), and a quarter so that products of roundings do not matter.
-    const T away = surface.error * T(2.25);
-    d.ray.origin = surface.position + surface.geometric_normal * (outward ? away : -away);
+    d.ray.origin = start.origin;
     d.ray.direction = direction;
     d.ray.time = time;
-    d.exclude = {surface.object, surface.face, !outward};
+    d.exclude = {surface.object, surface.face, !start.outward};
     return d;
 }
 
 template <typename T>
 Departure<T> leave_toward(const SurfacePoint<T>& surface, math::Vec3<T> target, T time) {
     Departure<T> d = leave(surface, target - surface.position, time);
-    d.ray.direction = target - d.ray.origin;
-    // A light that is as near as a rounding: any direction, and no length, for nothing can be in
-    // between.
-    if (d.ray.direction == math::Vec3<T>{}) {
-        d.ray.direction = surface.geometric_normal;
-        d.ray.t_max = 0;
-        return d;
-    }
-    // t of a surface through the target errs by some roundings of 1, and by those of the target's
-    // coordinates in units of the way to it.
-    T largest = 0;
-    T sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const T a = std::fabs(d.ray.direction[i]);
-        largest = a > largest ? a : largest;
-        sum += std::fabs(target[i]);
-    }
-    const T slack = std::numeric_limits<T>::epsilon() * (4 + sum / largest);
-    d.ray.t_max = slack < 1 ? 1 - slack : T(0);
+    const Way<T> way = way_to(d.ray.origin, target, surface.geometric_normal);
+    d.ray.direction = way.direction;
+    d.ray.t_max = way.t_max;
     return d;
 }
 

@@ -45,8 +45,13 @@ class Sampler {
 
     /// `light`: its index in the scene.
     [[nodiscard]] Uniform2 draw(Draw what, PathAddress path, std::uint32_t light) const {
+        return sobol_point(sample_, set(what, path, light));
+    }
+
+    /// The name of the set that draw() takes a point of, the same for all samples of the pixel.
+    [[nodiscard]] std::uint64_t set(Draw what, PathAddress path, std::uint32_t light) const {
         const std::uint64_t effect = static_cast<std::uint64_t>(what) << 32U | light;
-        return sobol_point(sample_, combine(combine(pixel_, effect), path.value()));
+        return combine(combine(pixel_, effect), path.value());
     }
 
   private:

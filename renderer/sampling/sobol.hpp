@@ -35,16 +35,22 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
     return reverse_bits(laine_karras(reverse_bits(x), seed));
 }
 
+/// Pascal's triangle modulo 2 times the bits of x: bit j becomes the sum, modulo 2, of the bits k
+/// for which C(k, j) is odd. It is odd where k has all the bits of j (Lucas, 1878): a sum over
+/// supersets, one bit of the positions at a time.
+constexpr std::uint32_t times_pascal(std::uint32_t x) {
+    x ^= (x >> 1U) & 0x55555555U;
+    x ^= (x >> 2U) & 0x33333333U;
+    x ^= (x >> 4U) & 0x0f0f0f0fU;
+    x ^= (x >> 8U) & 0x00ff00ffU;
+    return x ^ (x >> 16U);
+}
+
 /// The second Sobol dimension (primitive polynomial x + 1): its direction numbers are the rows of
 /// Pascal's triangle modulo 2, each the one before xor itself shifted by one. The first dimension
 /// is the index with its bits reversed.
 constexpr std::uint32_t sobol_second(std::uint32_t index) {
-    std::uint32_t result = 0;
-    for (std::uint32_t direction = 0x80000000U; index != 0; index >>= 1U) {
-        if ((index & 1U) != 0) result ^= direction;
-        direction ^= direction >> 1U;
-    }
-    return result;
+    return reverse_bits(times_pascal(index));
 }
 
 /// In [0, 1), multiples of 2^-32.
@@ -61,9 +67,11 @@ constexpr Uniform2 sobol_point(std::uint32_t index, std::uint64_t seed) {
     // Three scrambles need three seeds; multiplying by odd constants (2^32 / golden ratio, and its
     // square) keeps them apart for every value of the high half.
     const std::uint32_t shuffled = owen_scramble(index, low);
-    const std::uint32_t x = owen_scramble(reverse_bits(shuffled), high);
-    const std::uint32_t y =
-        owen_scramble(sobol_second(shuffled), high * 0x9e3779b9U ^ (low * 0x61c88647U + 1U));
+    // owen_scramble(reverse_bits(shuffled), ...) and owen_scramble(sobol_second(shuffled), ...):
+    // what their beginning reverses was reversed just before.
+    const std::uint32_t x = reverse_bits(laine_karras(shuffled, high));
+    const std::uint32_t y = reverse_bits(
+        laine_karras(times_pascal(shuffled), high * 0x9e3779b9U ^ (low * 0x61c88647U + 1U)));
     return {x * kTwoToMinus32, y * kTwoToMinus32};
 }
 

@@ -6,20 +6,6 @@
 #include "renderer/shading/frame.hpp"
 
 namespace cobble::renderer {
-namespace {
-
-template <typename T>
-LightSample<T> from_place(const PreparedLight& light, math::Vec3<T> position, math::Vec3d place) {
-    LightSample<T> result;
-    result.target = place.template to<T>();
-    const math::Vec3d way = place - position.template to<double>();
-    result.direction = math::normalize(way).template to<T>();
-    result.intensity = (light.color / (1 + light.falloff * math::dot(way, way))).template to<T>();
-    return result;
-}
-
-}  // namespace
-
 PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin) {
     PreparedLight result;
     result.kind = light.kind;
@@ -38,15 +24,6 @@ PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin) {
 }
 
 template <typename T>
-LightSample<T> light_middle(const PreparedLight& light, math::Vec3<T> position) {
-    if (light.kind == ir::Light::Kind::kPoint) return from_place(light, position, light.position);
-    LightSample<T> result;
-    result.direction = light.toward.template to<T>();
-    result.intensity = light.color.template to<T>();
-    return result;
-}
-
-template <typename T>
 LightSample<T> light_sample(const PreparedLight& light, math::Vec3<T> position, Uniform2 u) {
     if (light.kind == ir::Light::Kind::kPoint) {
         const math::Vec3d way = light.position - position.template to<double>();
@@ -54,7 +31,7 @@ LightSample<T> light_sample(const PreparedLight& light, math::Vec3<T> position, 
         const math::Vec2d disk = sample_disk(u);
         const Frame<double> frame = frame_around(axis);
         const math::Vec3d offset = frame.x * disk.x + frame.y * disk.y;
-        return from_place(light, position, light.position + light.radius * offset);
+        return light_place(light, position, light.position + light.radius * offset);
     }
     const math::Vec3d local = sample_cone(u, light.one_minus_cos_half_angle);
     const Frame<double> frame = frame_around(light.toward);
@@ -66,8 +43,6 @@ LightSample<T> light_sample(const PreparedLight& light, math::Vec3<T> position, 
     return result;
 }
 
-template LightSample<float> light_middle(const PreparedLight&, math::Vec3<float>);
-template LightSample<double> light_middle(const PreparedLight&, math::Vec3<double>);
 template LightSample<float> light_sample(const PreparedLight&, math::Vec3<float>, Uniform2);
 template LightSample<double> light_sample(const PreparedLight&, math::Vec3<double>, Uniform2);
 

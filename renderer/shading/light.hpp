@@ -31,9 +31,29 @@ struct LightSample {
     math::Vec3<T> intensity;  ///< color / (1 + falloff d^2)
 };
 
+/// A point light's, seen from a place on it (in double, local).
+template <typename T>
+LightSample<T> light_place(const PreparedLight& light, math::Vec3<T> position, math::Vec3d place) {
+    LightSample<T> result;
+    result.target = place.template to<T>();
+    const math::Vec3d way = place - position.template to<double>();
+    result.direction = math::normalize(way).template to<T>();
+    // What a division by 1 gives.
+    const ir::Color color =
+        light.falloff == 0 ? light.color : light.color / (1 + light.falloff * math::dot(way, way));
+    result.intensity = color.template to<T>();
+    return result;
+}
+
 /// The light from its middle.
 template <typename T>
-LightSample<T> light_middle(const PreparedLight& light, math::Vec3<T> position);
+LightSample<T> light_middle(const PreparedLight& light, math::Vec3<T> position) {
+    if (light.kind == ir::Light::Kind::kPoint) return light_place(light, position, light.position);
+    LightSample<T> result;
+    result.direction = light.toward.template to<T>();
+    result.intensity = light.color.template to<T>();
+    return result;
+}
 
 /// From a place on it: a point light with a radius is a disk of that radius that faces `position`;
 /// a directional light with an angle is the cone of directions within half of it, uniform in solid

@@ -11,20 +11,11 @@
 #include "renderer/intersect/batch.hpp"
 #include "renderer/intersect/instruction_set.hpp"
 #include "tests/hard/mixed.hpp"
+#include "tests/support/with_instruction_set.hpp"
 
 namespace cobble::test {
 
 namespace {
-
-/// The processor's own choice comes back whatever happens.
-struct WithInstructionSet {
-    explicit WithInstructionSet(const std::string& name) {
-        REQUIRE(renderer::use_instruction_set(name));
-    }
-    WithInstructionSet(const WithInstructionSet&) = delete;
-    WithInstructionSet& operator=(const WithInstructionSet&) = delete;
-    ~WithInstructionSet() { renderer::use_instruction_set(""); }
-};
 
 template <typename T>
 struct Questions {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "tools/bench/frames/race.hpp"
+#include "tools/bench/frames/summary.hpp"
 #include "tools/bench/machine.hpp"
-#include "tools/bench/median.hpp"
 #ifdef COBBLE_BENCH_EMBREE
 #include "renderer/picture/picture_io.hpp"
 #include "tools/bench/frames/embree_renderer.hpp"
@@ -26,7 +26,7 @@ using namespace cobble::bench;
 
 struct Options {
     std::vector<std::string> pictures, programs;
-    std::vector<unsigned> samples{1}, threads{1, 2};
+    std::vector<unsigned> samples{16}, threads{1, 2};
     unsigned width = 1024, height = 768;
     std::size_t passes = 3;
     bool cpu = false;
@@ -83,10 +83,6 @@ std::string text_of(const std::optional<double>& value, int digits) {
     return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
 
-std::optional<double> render_cpu(const FrameResult& r) {
-    return r.render_cpus.empty() ? std::nullopt : std::optional(median(r.render_cpus));
-}
-
 void print_row(const FrameResult& r) {
     if (r.failed) {
         fmt::print("  {:<18}  failed\n", r.program);
@@ -100,52 +96,14 @@ void print_row(const FrameResult& r) {
     std::fflush(stdout);
 }
 
-/// A ratio that spans several races.
-struct Summary {
-    std::string what;
-    unsigned samples, threads;
-    double ratio;
-};
-
-const FrameResult* find(const std::vector<FrameResult>& all, std::string_view picture,
-                        std::string_view program, unsigned samples, unsigned threads) {
-    for (const FrameResult& r : all) {
-        if (r.picture == picture && r.program == program && r.samples == samples &&
-            r.threads == threads && !r.failed) {
-            return &r;
-        }
+void print_ratios(const std::vector<Ratio>& ratios) {
+    if (ratios.empty()) return;
+    fmt::print("\nrender time, as ratios\n  {:<55}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "", "a pixel",
+               "threads", "by wall", "by cpu", "aim");
+    for (const Ratio& r : ratios) {
+        fmt::print("  {:<55}{:>9}{:>9}{:>9.2f}{:>9}{:>9}\n", r.what, r.samples, r.threads,
+                   r.by_wall, text_of(r.by_cpu, 2), text_of(r.wanted, 2));
     }
-    return nullptr;
-}
-
-std::vector<Summary> summarise(const std::vector<FrameResult>& all, const Options& options) {
-    std::vector<Summary> result;
-    for (const FrameResult& r : all) {
-        if (r.failed) continue;
-        const FrameResult* const one = find(all, r.picture, r.program, r.samples, 1);
-        if (r.program == "cobble" && r.threads > 1 && one != nullptr) {
-            result.push_back({r.picture + ": one thread over " + std::to_string(r.threads),
-                              r.samples, r.threads, one->phases.render / r.phases.render});
-        }
-        if (r.picture != "boxes" || r.program.starts_with("cobble")) continue;
-        const FrameResult* const cobble = find(all, "boxes", "cobble", r.samples, r.threads);
-        const FrameResult* const blocks = find(all, "blocks", r.program, r.samples, r.threads);
-        if (cobble == nullptr || blocks == nullptr) continue;
-        const double faster = std::min(r.phases.render, blocks->phases.render);
-        result.push_back({"blocks: " + r.program + "'s faster form over cobble's boxes", r.samples,
-                          r.threads, faster / cobble->phases.render});
-        if (const auto ours = render_cpu(*cobble)) {
-            result.push_back({"  the same, by cpu", r.samples, r.threads,
-                              std::min(*render_cpu(r), *render_cpu(*blocks)) / *ours});
-        }
-    }
-    if (!options.json && !result.empty()) fmt::print("\nrender time, as ratios of medians\n");
-    for (const Summary& s : result) {
-        if (options.json) continue;
-        fmt::print("  {:<55}{:>4} a pixel{:>4} thr{:>8.2f}\n", s.what, s.samples, s.threads,
-                   s.ratio);
-    }
-    return result;
 }
 
 nlohmann::json json_of(const FrameResult& r) {
@@ -166,6 +124,14 @@ nlohmann::json json_of(const FrameResult& r) {
     if (const auto cpu = render_cpu(r)) entry["seconds"]["render_cpu"] = *cpu;
     if (r.times_cobble_cpu) entry["times_cobble_cpu"] = *r.times_cobble_cpu;
     if (r.difference) entry["difference"] = *r.difference;
+    return entry;
+}
+
+nlohmann::json json_of(const Ratio& r) {
+    nlohmann::json entry{
+        {"what", r.what}, {"samples", r.samples}, {"threads", r.threads}, {"ratio", r.by_wall}};
+    if (r.by_cpu) entry["ratio_by_cpu"] = *r.by_cpu;
+    if (r.wanted) entry["aim"] = *r.wanted;
     return entry;
 }
 
@@ -201,8 +167,9 @@ int race_all(const Options& options, const std::string& folder) {
             }
         }
     }
-    const auto summaries = summarise(all, options);
+    const std::vector<Ratio> ratios = ratios_of(all);
     if (!options.json) {
+        print_ratios(ratios);
         fmt::print("\nload at the end {}\n", load_now());
     } else {
         nlohmann::json out{{"processor", processor()},         {"load_at_begin", load},
@@ -210,12 +177,7 @@ int race_all(const Options& options, const std::string& folder) {
                            {"height", options.height},         {"results", nlohmann::json::array()},
                            {"ratios", nlohmann::json::array()}};
         for (const FrameResult& r : all) out["results"].push_back(json_of(r));
-        for (const Summary& s : summaries) {
-            out["ratios"].push_back({{"what", s.what},
-                                     {"samples", s.samples},
-                                     {"threads", s.threads},
-                                     {"ratio", s.ratio}});
-        }
+        for (const Ratio& r : ratios) out["ratios"].push_back(json_of(r));
         fmt::print("{}\n", out.dump(2));
     }
     return std::any_of(all.begin(), all.end(), [](const FrameResult& r) { return r.failed; }) ? 1
@@ -258,7 +220,7 @@ int main(int argc, char** argv) {
                    "some of cobble, embree-packets, povray, tachyon, cobble-reference; the first "
                    "of these that runs is what others are compared with")
         ->delimiter(',');
-    app.add_option("--samples", options.samples, "rays a pixel, 1 and 16, with commas between")
+    app.add_option("--samples", options.samples, "rays a pixel, 1 or 16 or 1,16")
         ->delimiter(',')
         ->check(CLI::IsMember({1U, 16U}));
     app.add_option("--threads", options.threads, "numbers of threads, with commas between")

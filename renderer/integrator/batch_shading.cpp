@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/integrator/batch_shading.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "renderer/intersect/surface_forms.hpp"
+#include "renderer/scene/shape_bounds.hpp"
+#include "renderer/shading/fresnel.hpp"
+#include "renderer/shading/phong.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+/// What surface_at() and look_at_surface() say of it depends on the hit and its colour alone.
+template <typename T>
+bool is_plain(const PreparedMaterial<T>& material) {
+    return !material.reads_uv() && material.noise == nullptr && material.cube_map == nullptr;
+}
+
+}  // namespace
+
+template <typename T>
+BatchShading<T>::BatchShading(const ShadingScene<T>& scene)
+    : scene_(&scene),
+      loops_(&column_loops<T>()),
+      slots_(std::make_unique<SurfaceSlots<T>>()),
+      hits_(std::make_unique<HitColumns<T>>()),
+      light_(std::make_unique<LightColumns<T>>()),
+      mirrored_{} {
+    others_.reserve(kBatchSize);
+    asker_.reserve(kBatchSize);
+}
+
+template <typename T>
+auto BatchShading<T>::form_of(const ir::Object& object, const Hit<T>& hit) const -> Form {
+    const ir::Scene& source = *scene_->source;
+    const PreparedMaterial<T>& material = scene_->material(object.material);
+    if (material.cube_map != nullptr) return Form::kUnlit;
+    if (!is_plain(material) || scene_->geometry.geometry.places[hit.object.value].instance) {
+        return Form::kOther;
+    }
+    switch (object.kind) {
+        case ir::ShapeKind::kMesh: {
+            const auto& c = source.meshes[object.shape].faces[hit.face].corners;
+            constexpr std::uint32_t kNone = ir::Mesh::kNone;
+            const bool smooth =
+                c[0].normal != kNone && c[1].normal != kNone && c[2].normal != kNone;
+            return smooth ? Form::kSmooth : Form::kFlat;
+        }
+        case ir::ShapeKind::kTriangle:
+            return source.triangles[object.shape].keys.size() > 1 ? Form::kOther : Form::kFlat;
+        case ir::ShapeKind::kSphere:
+            return source.spheres[object.shape].keys.size() > 1 ? Form::kOther : Form::kSphere;
+        case ir::ShapeKind::kBox:
+            return Form::kBox;
+        case ir::ShapeKind::kPlane:
+            break;
+    }
+    return Form::kOther;
+}
+
+template <typename T>
+void BatchShading<T>::fill_triangle(std::size_t slot,
+                                    const std::array<math::Vec3<T>, 3>& vertices) {
+    slots_->a.set(slot, vertices[0].template to<double>());
+    slots_->b.set(slot, vertices[1].template to<double>());
+    slots_->c.set(slot, vertices[2].template to<double>());
+    slots_->normal.set(slot, unit(triangle_normal(vertices[0], vertices[1], vertices[2])));
+}
+
+template <typename T>
+void BatchShading<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
+    const ir::Scene& source = *scene_->source;
+    const ir::Object& object = source.objects[hit.object.value];
+    const PreparedMaterial<T>& material = scene_->material(object.material);
+    const math::Vec3d origin = scene_->geometry.origin;
+    slots_->object[slot] = hit.object.value;
+    slots_->face[slot] = hit.face;
+    slots_->kd.set(slot, material.diffuse);
+    material_[slot] = &material;
+    const ActiveEffects& effects = scene_->effects;
+    any_highlight_ = any_highlight_ ||
+                     (effects.highlights && has_highlight(material.specular, material.shininess));
+    scatters_[slot] = scene_->scatters(material) ? 1 : 0;
+    form_[slot] = form_of(object, hit);
+    switch (form_[slot]) {
+        case Form::kSmooth: {
+            const ir::Mesh& mesh = source.meshes[object.shape];
+            const auto& corners = mesh.faces[hit.face].corners;
+            slots_->na.set(slot, mesh.normals[corners[0].normal]);
+            slots_->nb.set(slot, mesh.normals[corners[1].normal]);
+            slots_->nc.set(slot, mesh.normals[corners[2].normal]);
+            fill_triangle(slot, face_vertices<T>(mesh, hit.face, origin));
+            break;
+        }
+        case Form::kFlat:
+            fill_triangle(slot,
+                          object.kind == ir::ShapeKind::kMesh
+                              ? face_vertices<T>(source.meshes[object.shape], hit.face, origin)
+                              : narrow_vertices<T>(source.triangles[object.shape].keys[0], origin));
+            break;
+        case Form::kSphere: {
+            const SphereKey<T> sphere =
+                narrow_sphere<T>(source.spheres[object.shape].keys[0], origin);
+            slots_->a.set(slot, sphere.center.template to<double>());
+            slots_->b.set(slot, {static_cast<double>(sphere.radius), 0, 0});
+            break;
+        }
+        case Form::kBox: {
+            const BoxBounds<T> box = narrow_box<T>(source.boxes[object.shape], origin);
+            slots_->a.set(slot, box.lo.template to<double>());
+            slots_->b.set(slot, box.hi.template to<double>());
+            math::Vec3d normal;
+            normal[hit.face / 2] = hit.face % 2 == 1 ? 1 : -1;
+            slots_->normal.set(slot, normal);
+            break;
+        }
+        case Form::kOther:
+        case Form::kUnlit:
+            break;
+    }
+}
+
+template <typename T>
+std::size_t BatchShading<T>::slot_of(const Hit<T>& hit) {
+    // Neighbouring objects and faces get places of their own.
+    const std::size_t at = (hit.object.value * 13 + hit.face) % kRecent;
+    if (recent_[at] >= 0) {
+        const auto slot = static_cast<std::size_t>(recent_[at]);
+        if (slots_->object[slot] == hit.object.value && slots_->face[slot] == hit.face) {
+            return slot;
+        }
+    }
+    recent_[at] = static_cast<std::int16_t>(slot_count_);
+    fill_slot(slot_count_, hit);
+    return slot_count_++;
+}
+
+template <typename T>
+void BatchShading<T>::place(std::size_t lane, std::size_t slot, std::size_t entry) {
+    const Ray<T>& ray = batch_->rays[lane];
+    const Hit<T>& hit = given_[lane];
+    entry_[lane] = static_cast<std::int32_t>(entry);
+    lane_[entry] = static_cast<std::uint32_t>(lane);
+    hits_->slot[entry] = static_cast<std::int32_t>(slot);
+    hits_->from.set(entry, ray.origin);
+    hits_->direction.set(entry, ray.direction);
+    hits_->t[entry] = hit.t;
+    hits_->u[entry] = hit.u;
+    hits_->v[entry] = hit.v;
+}
+
+template <typename T>
+void BatchShading<T>::compute(Form form, std::size_t first, std::size_t end) {
+    if (first == end) return;
+    switch (form) {
+        case Form::kFlat:
+            return loops_->flat_triangles(*slots_, *hits_, first, end);
+        case Form::kSmooth:
+            return loops_->smooth_triangles(*slots_, *hits_, first, end);
+        case Form::kSphere:
+            return loops_->spheres(*slots_, *hits_, first, end);
+        case Form::kBox:
+            return loops_->boxes(*slots_, *hits_, first, end);
+        case Form::kOther:
+        case Form::kUnlit:
+            for (std::size_t i = first; i < end; ++i) look_at_other(i);
+            return;
+    }
+}
+
+template <typename T>
+void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hits) {
+    batch_ = &batch;
+    given_ = hits;
+    slot_count_ = 0;
+    any_highlight_ = false;
+    others_.clear();
+    recent_.fill(-1);
+    std::array<std::uint8_t, kBatchSize> slot_of_lane;
+    static_assert(kBatchSize <= 256);
+    std::array<std::size_t, kForms> counts{};
+    for (std::size_t lane = 0; lane < hits.size(); ++lane) {
+        entry_[lane] = -1;
+        if (!hits[lane]) continue;
+        const std::size_t slot = slot_of(hits[lane]);
+        slot_of_lane[lane] = static_cast<std::uint8_t>(slot);
+        ++counts[static_cast<std::size_t>(form_[slot])];
+    }
+    std::array<std::size_t, kForms + 1> begins{};
+    for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] = begins[i] + counts[i];
+    first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
+    lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
+    auto next = begins;
+    for (std::size_t lane = 0; lane < hits.size(); ++lane) {
+        if (!hits[lane]) continue;
+        const std::size_t slot = slot_of_lane[lane];
+        place(lane, slot, next[static_cast<std::size_t>(form_[slot])]++);
+    }
+    for (std::size_t i = 0; i < kForms; ++i) {
+        compute(static_cast<Form>(i), begins[i], begins[i + 1]);
+    }
+    if (!any_highlight_) return;
+    for (std::size_t i = 0; i < lit_; ++i) {
+        mirrored_.set(i, reflect(hits_->direction.at(i), hits_->normal.at(i)));
+    }
+}
+
+template <typename T>
+void BatchShading<T>::look_at_other(std::size_t entry) {
+    const std::size_t lane = lane_[entry];
+    Encounter<T>& met = others_.emplace_back();
+    met.hit = given_[lane];
+    meet(*scene_, batch_->rays[lane], met);
+    const SurfacePoint<T>& point = met.point;
+    hits_->position.set(entry, point.position);
+    hits_->geometric.set(entry, point.geometric_normal);
+    hits_->normal.set(entry, met.look.normal);
+    hits_->kd.set(entry, met.look.kd);
+    hits_->error[entry] = point.error;
+    hits_->turned[entry] = met.look.geometric == point.geometric_normal ? 0 : 1;
+    hits_->light.set(entry, {});
+}
+
+template <typename T>
+void BatchShading<T>::set_sample(std::size_t entry, const LightSample<T>& sample) {
+    light_->direction.set(entry, sample.direction);
+    light_->target.set(entry, sample.target);
+    light_->intensity.set(entry, sample.intensity);
+}
+
+template <typename T>
+void BatchShading<T>::sent_by_middle(const PreparedLight& light) {
+    if (light.kind == ir::Light::Kind::kPoint) {
+        loops_->to_point_light(light, *hits_, *light_, lit_);
+    } else {
+        const LightSample<T> sample = light_middle(light, math::Vec3<T>{});
+        for (std::size_t i = 0; i < lit_; ++i) set_sample(i, sample);
+    }
+    sent_by(light);
+}
+
+/// The highlights that phong() adds.
+template <typename T>
+void BatchShading<T>::add_highlights() {
+    for (std::size_t i = 0; i < lit_; ++i) {
+        const PreparedMaterial<T>& material = *material_[slot_of_entry(static_cast<int>(i))];
+        if (!has_highlight(material.specular, material.shininess)) continue;
+        const T bright = highlight(hits_->normal.at(i), light_->direction.at(i), mirrored_.at(i),
+                                   material.shininess);
+        light_->share.set(i, light_->share.at(i) + material.specular * bright);
+    }
+}
+
+/// Nothing comes from below the surface that a map bends.
+template <typename T>
+void BatchShading<T>::leave_out_below_bent() {
+    for (std::size_t i = first_other_; i < lit_; ++i) {
+        const SurfaceLook<T>& look = others_[i - first_other_].look;
+        if (look.bent && !(math::dot(look.smooth, light_->direction.at(i)) > T(0))) {
+            light_->matters[i] = 0;
+        }
+    }
+}
+
+template <typename T>
+void BatchShading<T>::sent_by(const PreparedLight& light) {
+    loops_->lambert_share(*hits_, *light_, lit_);
+    if (any_highlight_) add_highlights();
+    const bool shadows = scene_->effects.shadows;
+    if (!shadows) {
+        loops_->ask_without_shadows(*hits_, *light_, lit_);
+    } else if (light.kind == ir::Light::Kind::kPoint) {
+        loops_->ask_with_shadows_to_target(*hits_, *light_, lit_);
+    } else {
+        loops_->ask_with_shadows_in_direction(*hits_, *light_, lit_);
+    }
+    leave_out_below_bent();
+    shadow_.clear();
+    asker_.clear();
+    if (!shadows) {
+        for (std::size_t i = 0; i < lit_; ++i) {
+            if (light_->matters[i] == 0) continue;
+            hits_->light.set(i, hits_->light.at(i) + light_->share.at(i));
+        }
+        return;
+    }
+    std::size_t lane = 0;
+    for (const auto& stretch : batch_->stretches) {
+        for (; lane < stretch.end; ++lane) {
+            const std::int32_t entry = entry_[lane];
+            if (entry < 0 || static_cast<std::size_t>(entry) >= lit_) continue;
+            if (light_->matters[entry] == 0) continue;
+            const auto i = static_cast<std::size_t>(entry);
+            const std::size_t slot = slot_of_entry(entry);
+            shadow_.add(
+                {light_->from.at(i), light_->way.at(i), 0, light_->t_max[i],
+                 batch_->rays[lane].time},
+                {ir::ObjectId{slots_->object[slot]}, slots_->face[slot], light_->outward[i] == 0});
+            asker_.push_back(static_cast<std::uint32_t>(entry));
+        }
+        shadow_.end_stretch(stretch.coherence);
+    }
+}
+
+template <typename T>
+void BatchShading<T>::add_unhidden(std::span<const std::uint8_t> hidden) {
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+        if (hidden[i] != 0) continue;
+        const std::size_t entry = asker_[i];
+        hits_->light.set(entry, hits_->light.at(entry) + light_->share.at(entry));
+    }
+}
+
+template <typename T>
+void BatchShading<T>::color(std::span<math::Vec3<T>> colors) const {
+    const math::Vec3<T> ambient = scene_->ambient;
+    for (std::size_t lane = 0; lane < colors.size(); ++lane) {
+        const std::int32_t entry = entry_[lane];
+        if (entry < 0) {
+            colors[lane] = background(*scene_, batch_->rays[lane].direction);
+            continue;
+        }
+        const auto i = static_cast<std::size_t>(entry);
+        colors[lane] = i < lit_ ? ambient * hits_->kd.at(i) + hits_->light.at(i)
+                                : color_of(*scene_, batch_->rays[lane], others_[i - first_other_]);
+    }
+}
+
+template <typename T>
+Encounter<T> BatchShading<T>::encounter(std::size_t lane) const {
+    const std::int32_t entry = entry_[lane];
+    if (entry < 0) return {};
+    const auto i = static_cast<std::size_t>(entry);
+    if (i >= first_other_) return others_[i - first_other_];
+    const std::size_t slot = slot_of_entry(entry);
+    const ir::Object& object = scene_->source->objects[slots_->object[slot]];
+    Encounter<T> met;
+    met.hit = given_[lane];
+    met.material = material_[slot];
+    SurfacePoint<T>& point = met.point;
+    point.position = hits_->position.at(i);
+    point.geometric_normal = hits_->geometric.at(i);
+    const math::Vec3<T> normal = hits_->normal.at(i);
+    point.shading_normal = hits_->turned[i] != 0 ? -normal : normal;
+    point.error = hits_->error[i];
+    point.kind = object.kind;
+    point.object = met.hit.object;
+    point.face = met.hit.face;
+    point.material = object.material;
+    met.look = look_at_surface(*scene_, *met.material, point, hits_->direction.at(i));
+    met.light = hits_->light.at(i);
+    return met;
+}
+
+template class BatchShading<float>;
+template class BatchShading<double>;
+
+}  // namespace cobble::renderer

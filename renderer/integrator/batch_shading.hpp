@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// From the hits of a batch of rays to their colours: the stages of stages.hpp for many rays at
+// once. Surfaces at rest, of plain materials, go through loops over columns; whatever else there is
+// goes through stages.hpp one by one, and joins them before the lights.
+//
+//   look, then for each light ask, the shadow rays, and add_unhidden, then color
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "renderer/integrator/column_loops.hpp"
+#include "renderer/integrator/columns.hpp"
+#include "renderer/integrator/ray_batch.hpp"
+#include "renderer/integrator/shading_scene.hpp"
+#include "renderer/integrator/stages.hpp"
+
+namespace cobble::renderer {
+
+/// Whether nothing of a sample but its colour is wanted, nor can be unsound by itself. In single
+/// precision no normal is unsound but one that a map bends, and a colour of the surface that is no
+/// number makes all that it reflects none.
+template <typename T>
+bool color_tells_all(const ShadingScene<T>& scene, const Settings& settings) {
+    return sizeof(T) == sizeof(float) && !scene.effects.normal_maps && !settings.want_depth &&
+           !settings.want_normals && !settings.want_albedo;
+}
+
+/// Memory: some 40 kB in single precision.
+template <typename T>
+class BatchShading {
+  public:
+    /// The scene must outlive this.
+    explicit BatchShading(const ShadingScene<T>& scene);
+
+    /// `hits` are closest_hit()'s answers to the rays of `batch`; both must stay as they are until
+    /// the colours are known.
+    void look(const RayBatch<T>& batch, std::span<const Hit<T>> hits);
+    [[nodiscard]] bool any_lit() const { return lit_ > 0; }
+
+    /// What light `light` sends to each surface, and the rays that ask whether it arrives, in the
+    /// order of the batch; where nothing can be in its way it is added at once. Draws for a light
+    /// with a size come from `draw(ray's place in the batch)`.
+    template <typename Draws>
+    void ask(std::uint32_t light, const Draws& draw) {
+        const PreparedLight& source = scene_->lights[light];
+        if (scene_->effects.soft_shadows && source.has_size()) {
+            for (std::size_t i = 0; i < lit_; ++i) {
+                set_sample(i, light_sample(source, hits_->position.at(i), draw(lane_[i])));
+            }
+            sent_by(source);
+        } else {
+            sent_by_middle(source);
+        }
+    }
+    /// The rays of the last ask().
+    RayBatch<T>& shadow() { return shadow_; }
+    /// `hidden`: 1 for each shadow ray that hit something.
+    void add_unhidden(std::span<const std::uint8_t> hidden);
+
+    /// What each ray brings back by itself, by its place in the batch.
+    void color(std::span<math::Vec3<T>> colors) const;
+
+    /// What ray `lane` met, in full but for texture coordinates that nobody read.
+    [[nodiscard]] Encounter<T> encounter(std::size_t lane) const;
+    /// Whether scatter() may have something to say of it.
+    [[nodiscard]] bool may_scatter(std::size_t lane) const {
+        return entry_[lane] >= 0 && scatters_[slot_of_entry(entry_[lane])] != 0;
+    }
+
+  private:
+    /// How a surface is computed; in this order in the columns.
+    enum class Form : std::uint8_t { kFlat, kSmooth, kSphere, kBox, kOther, kUnlit };
+    static constexpr std::size_t kForms = 6;
+
+    std::size_t slot_of(const Hit<T>& hit);
+    void fill_slot(std::size_t slot, const Hit<T>& hit);
+    [[nodiscard]] Form form_of(const ir::Object& object, const Hit<T>& hit) const;
+    void fill_triangle(std::size_t slot, const std::array<math::Vec3<T>, 3>& vertices);
+    [[nodiscard]] std::size_t slot_of_entry(std::int32_t entry) const {
+        return static_cast<std::size_t>(hits_->slot[entry]);
+    }
+    void place(std::size_t lane, std::size_t slot, std::size_t entry);
+    void compute(Form form, std::size_t first, std::size_t end);
+    void look_at_other(std::size_t entry);
+    void set_sample(std::size_t entry, const LightSample<T>& sample);
+    void sent_by_middle(const PreparedLight& light);
+    void sent_by(const PreparedLight& light);
+    void add_highlights();
+    void leave_out_below_bent();
+
+    const ShadingScene<T>* scene_;
+    const ColumnLoops<T>* loops_;
+    const RayBatch<T>* batch_ = nullptr;
+    std::span<const Hit<T>> given_;
+
+    // By place in the batch.
+    std::array<std::int32_t, kBatchSize> entry_{};  ///< in the columns; -1: met nothing
+
+    // By slot.
+    std::unique_ptr<SurfaceSlots<T>> slots_;
+    std::size_t slot_count_ = 0;
+    std::array<Form, kBatchSize> form_{};
+    std::array<const PreparedMaterial<T>*, kBatchSize> material_{};
+    std::array<std::uint8_t, kBatchSize> scatters_{};
+    /// Slots by a hash of their object and face; the last one with it.
+    static constexpr std::size_t kRecent = 64;
+    std::array<std::int16_t, kRecent> recent_{};
+
+    // By entry in the columns: those that are lit first.
+    std::unique_ptr<HitColumns<T>> hits_;
+    std::unique_ptr<LightColumns<T>> light_;
+    std::array<std::uint32_t, kBatchSize> lane_{};
+    std::size_t lit_ = 0;
+    std::size_t first_other_ = 0;
+    bool any_highlight_ = false;
+    std::vector<Encounter<T>> others_;  ///< from first_other_ on
+    Columns3<T> mirrored_;              ///< rays at surfaces with a highlight
+
+    RayBatch<T> shadow_;
+    std::vector<std::uint32_t> asker_;  ///< entry, by shadow ray
+};
+
+}  // namespace cobble::renderer

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A batch from its rays to its colours, stage by stage: between any two it can be put down.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "renderer/integrator/batch_shading.hpp"
+#include "renderer/integrator/ray_batch.hpp"
+
+namespace cobble::renderer {
+
+template <typename T>
+class BatchStages {
+  public:
+    explicit BatchStages(const ShadingScene<T>& scene) : scene_(&scene), shading_(scene) {}
+
+    /// The rays of a new batch; then begin().
+    [[nodiscard]] RayBatch<T>& rays() { return rays_; }
+    void begin() { stage_ = Stage::kMeet; }
+
+    /// Goes one stage on; true once the colours are known. Draws for light `light` at what the ray
+    /// at a place of the batch met come from `draw(place, light)`.
+    template <typename Draws>
+    bool step(Counters& counters, const Draws& draw) {
+        switch (stage_) {
+            case Stage::kMeet:
+                if (pace_.closest<T>(scene_->geometry, rays_, hits_, counters)) {
+                    stage_ = Stage::kLook;
+                }
+                break;
+            case Stage::kLook:
+                shading_.look(rays_, std::span<const Hit<T>>(hits_).first(rays_.size()));
+                light_ = 0;
+                stage_ =
+                    shading_.any_lit() && !scene_->lights.empty() ? Stage::kAsk : Stage::kColor;
+                break;
+            case Stage::kAsk:
+                shading_.ask(light_, [&](std::size_t place) { return draw(place, light_); });
+                counters.shadow_rays += shading_.shadow().size();
+                stage_ = Stage::kShadow;
+                break;
+            case Stage::kShadow:
+                if (!pace_.any<T>(scene_->geometry, shading_.shadow(), hidden_, counters)) {
+                    break;
+                }
+                shading_.add_unhidden(std::span(hidden_).first(shading_.shadow().size()));
+                ++light_;
+                stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kColor;
+                break;
+            case Stage::kColor:
+                shading_.color(std::span(colors_).first(rays_.size()));
+                return true;
+        }
+        return false;
+    }
+
+    // Of the batch, by place in it; once step() said so.
+    [[nodiscard]] const Hit<T>& hit(std::size_t place) const { return hits_[place]; }
+    [[nodiscard]] math::Vec3<T> color(std::size_t place) const { return colors_[place]; }
+    [[nodiscard]] const BatchShading<T>& shading() const { return shading_; }
+
+  private:
+    enum class Stage : std::uint8_t { kMeet, kLook, kAsk, kShadow, kColor };
+
+    const ShadingScene<T>* scene_;
+    Stage stage_ = Stage::kMeet;
+    std::uint32_t light_ = 0;
+    RayBatch<T> rays_;
+    Pace pace_;
+    std::array<Hit<T>, kBatchSize> hits_;
+    BatchShading<T> shading_;
+    std::array<std::uint8_t, kBatchSize> hidden_{};
+    std::array<math::Vec3<T>, kBatchSize> colors_;
+};
+
+}  // namespace cobble::renderer

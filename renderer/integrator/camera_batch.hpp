@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// The first rays of a tile's samples, batch by batch: pixels by blocks, all samples of one, then
+// the next.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "renderer/integrator/column_loops.hpp"
+#include "renderer/integrator/columns.hpp"
+#include "renderer/integrator/stages.hpp"
+#include "renderer/sampling/sampler.hpp"
+#include "renderer/settings.hpp"
+#include "renderer/tile/pixel_order.hpp"
+#include "renderer/tile/tile_renderer.hpp"
+
+namespace cobble::renderer {
+
+/// Goes over a tile's samples.
+struct SampleCursor {
+    std::uint64_t number = 0;  ///< of all
+    std::uint64_t pixel = 0;
+    std::uint32_t sample = 0;  ///< of the pixel
+    PixelPlace place;          ///< of the pixel
+
+    explicit SampleCursor(const Tile& tile) : place(pixel_in_blocks(tile, 0)) {}
+    [[nodiscard]] bool at_end(const Tile& tile) const { return pixel >= tile.pixels(); }
+    void advance(const Tile& tile, std::uint32_t samples_per_pixel) {
+        ++number;
+        if (++sample < samples_per_pixel) return;
+        sample = 0;
+        if (++pixel < tile.pixels()) place = pixel_in_blocks(tile, pixel);
+    }
+};
+
+template <typename T>
+class CameraBatch {
+  public:
+    /// Both must outlive this.
+    CameraBatch(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
+
+    /// Begins the next samples, `most` of them or as many as there are, but at most kBatchSize.
+    /// Gives their number.
+    std::size_t begin(const Tile& tile, std::size_t most);
+    /// The next one to begin.
+    [[nodiscard]] const SampleCursor& next() const { return next_; }
+
+    // Of the samples begun last, by their place in the batch.
+    [[nodiscard]] const Ray<T>& ray(std::size_t i) const { return rays_[i]; }
+    [[nodiscard]] PixelPlace place(std::size_t i) const { return places_[i]; }
+    [[nodiscard]] std::uint32_t sample(std::size_t i) const { return columns_->sample[i]; }
+    [[nodiscard]] Sampler sampler(std::size_t i) const {
+        return {settings_->seed, places_[i].x, places_[i].y, columns_->sample[i]};
+    }
+
+  private:
+    void place_in_pixels(std::size_t count);
+
+    const ShadingScene<T>* scene_;
+    const Settings* settings_;
+    const ColumnLoops<T>* loops_;
+    std::uint32_t samples_;  ///< a pixel
+    bool simple_;            ///< neither lens nor time
+    SampleCursor next_;
+    std::unique_ptr<CameraColumns<T>> columns_;
+    std::array<PixelPlace, kBatchSize> places_;
+    std::array<Ray<T>, kBatchSize> rays_;  ///< what all have in common is there from the beginning
+};
+
+}  // namespace cobble::renderer

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/integrator/column_loops.hpp"
+
+#include <cmath>
+
+#include "renderer/intersect/surface_forms.hpp"
+#include "renderer/sampling/sobol.hpp"
+#include "renderer/shading/phong.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "renderer/integrator/column_loops.cpp"
+#include <hwy/foreach_target.h>
+// Behind foreach_target.h, as Highway wants it.
+#include <hwy/highway.h>
+
+// All that a loop calls becomes part of it: a call left over would keep it from taking many at
+// once.
+#define COBBLE_LOOP __attribute__((flatten))
+
+HWY_BEFORE_NAMESPACE();
+namespace cobble::renderer::HWY_NAMESPACE {
+
+template <typename T>
+COBBLE_LOOP void place_in_pixel(CameraColumns<T>& s, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Uniform2 u = sobol_point(s.sample[i], s.set[i]);
+        s.x[i] = (s.x[i] + 0.5) + (u.x - 0.5);
+        s.y[i] = (s.y[i] + 0.5) + (u.y - 0.5);
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void through_pinhole(const PreparedCamera& of_scene, CameraColumns<T>& s,
+                                 std::size_t count) {
+    const PreparedCamera camera = of_scene;
+    for (std::size_t i = 0; i < count; ++i) {
+        s.direction.set(i, camera.pinhole(s.x[i], s.y[i]).direction.template to<T>());
+    }
+}
+
+/// What SurfacePoint and SurfaceLook say of a surface of a plain material.
+template <bool kClosed, typename T>
+void set_surface(HitColumns<T>& hits, std::size_t i, math::Vec3<Wide<T>> position,
+                 math::Vec3d unit_normal, math::Vec3<T> shading, math::Vec3<T> kd) {
+    const math::Vec3<T> geometric = unit_normal.template to<T>();
+    const bool turned = !kClosed && math::dot(hits.direction.at(i), geometric) > T(0);
+    hits.position.set(i, position.template to<T>());
+    hits.geometric.set(i, geometric);
+    hits.normal.set(i, {turned ? -shading.x : shading.x, turned ? -shading.y : shading.y,
+                        turned ? -shading.z : shading.z});
+    hits.error[i] = static_cast<T>(rounding_error<T>(unit_normal, to_double(position)));
+    hits.turned[i] = turned ? 1 : 0;
+    hits.kd.set(i, kd);
+    hits.light.set(i, {});
+}
+
+template <typename T>
+math::Vec3<Wide<T>> triangle_point_at(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
+                                      std::size_t i) {
+    using W = Wide<T>;
+    const auto slot = static_cast<std::size_t>(hits.slot[i]);
+    return triangle_point(slots.a.at(slot).template to<W>(), slots.b.at(slot).template to<W>(),
+                          slots.c.at(slot).template to<W>(), W(hits.u[i]), W(hits.v[i]));
+}
+
+template <typename T>
+COBBLE_LOOP void flat_triangles(const SurfaceSlots<T>& slots, HitColumns<T>& hits,
+                                std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+        const auto slot = static_cast<std::size_t>(hits.slot[i]);
+        const math::Vec3d normal = slots.normal.at(slot);
+        set_surface<false>(hits, i, triangle_point_at(slots, hits, i), normal,
+                           normal.template to<T>(), slots.kd.at(slot));
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void smooth_triangles(const SurfaceSlots<T>& slots, HitColumns<T>& hits,
+                                  std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+        const auto slot = static_cast<std::size_t>(hits.slot[i]);
+        const math::Vec3d normal = slots.normal.at(slot);
+        const math::Vec3d smooth =
+            unit(triangle_point(slots.na.at(slot), slots.nb.at(slot), slots.nc.at(slot),
+                                static_cast<double>(hits.u[i]), static_cast<double>(hits.v[i])));
+        const bool taken = dot(smooth, smooth) > 0.5;
+        const math::Vec3d shading{taken ? smooth.x : normal.x, taken ? smooth.y : normal.y,
+                                  taken ? smooth.z : normal.z};
+        set_surface<false>(hits, i, triangle_point_at(slots, hits, i), normal,
+                           shading.template to<T>(), slots.kd.at(slot));
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void spheres(const SurfaceSlots<T>& slots, HitColumns<T>& hits, std::size_t first,
+                         std::size_t end) {
+    using W = Wide<T>;
+    for (std::size_t i = first; i < end; ++i) {
+        const auto slot = static_cast<std::size_t>(hits.slot[i]);
+        const math::Vec3<W> center = slots.a.at(slot).template to<W>();
+        const math::Vec3<W> n =
+            sphere_normal(center, along(hits.from.at(i), hits.direction.at(i), hits.t[i]));
+        const math::Vec3d normal = unit(to_double(n));
+        set_surface<true>(hits, i, center + n * W(slots.b.x[slot]), normal, normal.template to<T>(),
+                          slots.kd.at(slot));
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void boxes(const SurfaceSlots<T>& slots, HitColumns<T>& hits, std::size_t first,
+                       std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+        const auto slot = static_cast<std::size_t>(hits.slot[i]);
+        const BoxBounds<T> box{slots.a.at(slot).template to<T>(),
+                               slots.b.at(slot).template to<T>()};
+        const math::Vec3d normal = slots.normal.at(slot);
+        set_surface<true>(hits, i,
+                          box_point(box, slots.face[slot],
+                                    along(hits.from.at(i), hits.direction.at(i), hits.t[i])),
+                          normal, normal.template to<T>(), slots.kd.at(slot));
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void to_point_light(const PreparedLight& of_scene, const HitColumns<T>& hits,
+                                LightColumns<T>& answers, std::size_t count) {
+    const PreparedLight light = of_scene;
+    const auto store = [&](std::size_t i, const LightSample<T>& sample) {
+        answers.direction.set(i, sample.direction);
+        answers.target.set(i, sample.target);
+        answers.intensity.set(i, sample.intensity);
+    };
+    if (light.falloff == 0) {
+        PreparedLight even = light;
+        even.falloff = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            store(i, light_place(even, hits.position.at(i), even.position));
+        }
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        store(i, light_place(light, hits.position.at(i), light.position));
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void lambert_share(const HitColumns<T>& hits, LightColumns<T>& answers,
+                               std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        answers.share.set(i, lambert(hits.normal.at(i), answers.direction.at(i), hits.kd.at(i)));
+    }
+}
+
+template <typename T>
+void ask_light_for(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t i,
+                   bool hides_itself) {
+    const math::Vec3<T> geometric = hits.geometric.at(i);
+    const T cosine =
+        math::dot(hits.turned[i] != 0 ? -geometric : geometric, answers.direction.at(i));
+    math::Vec3<T> share = answers.intensity.at(i) * answers.share.at(i);
+    const bool below = hides_itself && !(cosine > T(0));
+    share = {below ? T(0) : share.x, below ? T(0) : share.y, below ? T(0) : share.z};
+    answers.share.set(i, share);
+    const bool nothing = share.x == T(0) && share.y == T(0) && share.z == T(0);
+    answers.matters[i] = nothing ? 0 : 1;
+}
+
+template <typename T>
+COBBLE_LOOP void ask_with_shadows_to_target(const HitColumns<T>& hits, LightColumns<T>& answers,
+                                            std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        ask_light_for(hits, answers, i, true);
+        const math::Vec3<T> target = answers.target.at(i);
+        const math::Vec3<T> geometric = hits.geometric.at(i);
+        const Start<T> start =
+            start_off(hits.position.at(i), geometric, hits.error[i], target - hits.position.at(i));
+        const Way<T> way = way_to(start.origin, target, geometric);
+        answers.from.set(i, start.origin);
+        answers.outward[i] = start.outward ? 1 : 0;
+        answers.way.set(i, way.direction);
+        answers.t_max[i] = way.t_max;
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void ask_with_shadows_in_direction(const HitColumns<T>& hits, LightColumns<T>& answers,
+                                               std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        ask_light_for(hits, answers, i, true);
+        const math::Vec3<T> direction = answers.direction.at(i);
+        const Start<T> start =
+            start_off(hits.position.at(i), hits.geometric.at(i), hits.error[i], direction);
+        answers.from.set(i, start.origin);
+        answers.outward[i] = start.outward ? 1 : 0;
+        answers.way.set(i, direction);
+        answers.t_max[i] = std::numeric_limits<T>::infinity();
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void ask_without_shadows(const HitColumns<T>& hits, LightColumns<T>& answers,
+                                     std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) ask_light_for(hits, answers, i, false);
+}
+
+template <typename T>
+const ColumnLoops<T>& loops() {
+    static constexpr ColumnLoops<T> kLoops{
+        place_in_pixel<T>,
+        through_pinhole<T>,
+        flat_triangles<T>,
+        smooth_triangles<T>,
+        spheres<T>,
+        boxes<T>,
+        to_point_light<T>,
+        lambert_share<T>,
+        ask_with_shadows_to_target<T>,
+        ask_with_shadows_in_direction<T>,
+        ask_without_shadows<T>,
+    };
+    return kLoops;
+}
+
+const ColumnLoops<float>& loops_float() { return loops<float>(); }
+const ColumnLoops<double>& loops_double() { return loops<double>(); }
+
+}  // namespace cobble::renderer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cobble::renderer {
+
+HWY_EXPORT(loops_float);
+HWY_EXPORT(loops_double);
+
+template <>
+const ColumnLoops<float>& column_loops<float>() {
+    return HWY_DYNAMIC_DISPATCH(loops_float)();
+}
+template <>
+const ColumnLoops<double>& column_loops<double>() {
+    return HWY_DYNAMIC_DISPATCH(loops_double)();
+}
+
+}  // namespace cobble::renderer
+#endif

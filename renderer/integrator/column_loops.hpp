@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Loops over columns, compiled for each instruction set from the same inline functions that the
+// reference calls for one ray: additions, multiplications, divisions and roots of each number
+// alone, in the same order, so that the bits are the same.
+#pragma once
+
+#include <cstddef>
+
+#include "renderer/camera/camera.hpp"
+#include "renderer/integrator/columns.hpp"
+#include "renderer/shading/light.hpp"
+
+namespace cobble::renderer {
+
+/// Loops over [first, end) or [0, count). They may go on to the end of a register: beyond `end`
+/// columns hold anything.
+template <typename T>
+struct ColumnLoops {
+    /// From the pixel's corner to the place that the filter chooses, for PixelFilter::kBox.
+    void (*place_in_pixel)(CameraColumns<T>& samples, std::size_t count);
+    /// From places to directions, without a lens.
+    void (*through_pinhole)(const PreparedCamera& camera, CameraColumns<T>& samples,
+                            std::size_t count);
+
+    /// Surfaces of plain materials: all that HitColumns says of them.
+    using Surfaces = void (*)(const SurfaceSlots<T>& slots, HitColumns<T>& hits, std::size_t first,
+                              std::size_t end);
+    Surfaces flat_triangles, smooth_triangles, spheres, boxes;
+
+    /// light_middle(), for kPoint.
+    void (*to_point_light)(const PreparedLight& light, const HitColumns<T>& hits,
+                           LightColumns<T>& answers, std::size_t count);
+    /// lambert(), into `share`.
+    void (*lambert_share)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
+    /// Times intensity, nothing from below; and the way to the light: to `target`, or endlessly in
+    /// its direction.
+    using Ask = void (*)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
+    Ask ask_with_shadows_to_target, ask_with_shadows_in_direction, ask_without_shadows;
+};
+
+/// By the best instruction set that the processor has, or use_instruction_set()'s.
+template <typename T>
+const ColumnLoops<T>& column_loops();
+
+}  // namespace cobble::renderer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The fast way through a tile of a scene in which no ray goes on from a surface: samples in batches
+// in their order, each batch from its camera rays to its colours before the next one begins.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/film/film.hpp"
+#include "renderer/integrator/batch_stages.hpp"
+#include "renderer/integrator/camera_batch.hpp"
+#include "renderer/integrator/trace.hpp"
+#include "renderer/tile/tile_renderer.hpp"
+
+namespace cobble::renderer {
+
+/// Memory: some 60 kB in single precision.
+template <typename T>
+class FlatTile final : public PausedWork {
+  public:
+    /// Both must outlive this. The scene's any_scatters() is false.
+    FlatTile(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
+
+    /// Goes on with `work`, whose tile is this one; true once it is done, false if stopped.
+    bool run(TileWork& work, Film& film, StopCheck& stop);
+
+  private:
+    void begin(TileWork& work);
+    void land(TileWork& work, Film& film);
+    bool add(std::size_t lane);
+
+    const ShadingScene<T>* scene_;
+    const Settings* settings_;
+    bool only_color_;  ///< nothing else of a sample is wanted, nor can it be unsound by itself
+    bool on_its_way_ = false;  ///< a batch is
+    CameraBatch<T> camera_;
+    BatchStages<T> batch_;
+    PixelAccumulator sums_;  ///< of the pixel that lands next
+};
+
+}  // namespace cobble::renderer

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Rays for the core, and how many of them it is handed between two looks at the clock.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/integrator/columns.hpp"
+#include "renderer/intersect/batch.hpp"
+
+namespace cobble::renderer {
+
+/// At most kBatchSize rays, in stretches that go nearly alike or do not.
+template <typename T>
+struct RayBatch {
+    struct Stretch {
+        std::size_t end = 0;
+        Coherence coherence = Coherence::kNone;
+    };
+
+    std::vector<Ray<T>> rays;
+    std::vector<Exclude> excludes;
+    std::vector<Stretch> stretches;  ///< one after the other; the last one ends with the rays
+    std::size_t asked = 0;           ///< so many of the first have their answers
+
+    RayBatch() {
+        rays.reserve(kBatchSize);
+        excludes.reserve(kBatchSize);
+        stretches.reserve(kBatchSize);
+    }
+    [[nodiscard]] std::size_t size() const { return rays.size(); }
+    [[nodiscard]] bool empty() const { return rays.empty(); }
+    void clear() {
+        rays.clear();
+        excludes.clear();
+        stretches.clear();
+        asked = 0;
+    }
+    void add(const Ray<T>& ray, const Exclude& exclude) {
+        rays.push_back(ray);
+        excludes.push_back(exclude);
+    }
+    /// What was added since the last stretch is one.
+    void end_stretch(Coherence coherence) {
+        if (!stretches.empty() && stretches.back().coherence == coherence &&
+            coherence == Coherence::kNone) {
+            stretches.back().end = size();
+        } else if (stretches.empty() ? !empty() : stretches.back().end < size()) {
+            stretches.push_back({size(), coherence});
+        }
+    }
+};
+
+/// Keeps the core's share of work between two looks at the clock short, by what rays took so far.
+class Pace {
+  public:
+    /// closest_hits() and any_hits() of the next rays, as many as may be asked about at once, by
+    /// their place in the batch; true once all are.
+    template <typename T>
+    bool closest(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<Hit<T>> hits,
+                 Counters& counters) {
+        return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
+            closest_hits<T>(scene, std::span(batch.rays).subspan(at, n),
+                            std::span(batch.excludes).subspan(at, n), hits.subspan(at, n), counters,
+                            coherence);
+        });
+    }
+    template <typename T>
+    bool any(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<std::uint8_t> hit,
+             Counters& counters) {
+        return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
+            any_hits<T>(scene, std::span(batch.rays).subspan(at, n),
+                        std::span(batch.excludes).subspan(at, n), hit.subspan(at, n), counters,
+                        coherence);
+        });
+    }
+
+  private:
+    template <typename T, typename Core>
+    bool ask(RayBatch<T>& batch, const Counters& counters, const Core& core) {
+        std::size_t stretch = 0;
+        std::size_t left = at_once_;
+        while (left > 0 && batch.asked < batch.size()) {
+            while (batch.stretches[stretch].end <= batch.asked) ++stretch;
+            const std::size_t count = std::min(batch.stretches[stretch].end - batch.asked, left);
+            const std::uint64_t before = tests(counters);
+            core(batch.asked, count, batch.stretches[stretch].coherence);
+            batch.asked += count;
+            const std::uint64_t of_one = (tests(counters) - before) / count + 1;
+            at_once_ = std::clamp<std::size_t>(kTestsAtOnce / of_one, kFewestAtOnce, kBatchSize);
+            left = std::min(left - count, at_once_);
+        }
+        return batch.asked == batch.size();
+    }
+
+    static std::uint64_t tests(const Counters& counters) {
+        return counters.box_tests + counters.primitive_tests;
+    }
+
+    /// What the core may do between two looks: 2 ms at 10 ns a test, far below the 10 ms by which a
+    /// step may overrun. One batch of an ordinary scene is a tenth of it.
+    static constexpr std::uint64_t kTestsAtOnce = 200000;
+    /// A packet or two, so that they are worth their name; 10 ms if each ray takes 60,000 tests.
+    static constexpr std::size_t kFewestAtOnce = 16;
+
+    std::size_t at_once_ = kFewestAtOnce;
+};
+
+}  // namespace cobble::renderer
