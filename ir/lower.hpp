@@ -32,6 +32,7 @@ struct LowerOptions {
     Compat compat = Compat::kNone;
     bool casting = false;      ///< Compat::kProject with `-casting`: its ray caster's mesh normals
     bool decode_srgb = false;  ///< `--transfer srgb`: display inputs become linear
+    bool judge_float = true;   ///< warn of what float cannot resolve: off for renders in double
     Limits limits;
 };
 

@@ -219,7 +219,9 @@ class Binder {
         if (!brace.valid() || node.unclosed != 0) {
             bound_.ast.structure_broken = true;
             // A name alone where it may not stand was meant as another one.
-            const bool said = holds_nameless(id) || (alone && misplaced);
+            // And where numbers are missing too, their count says it all.
+            const bool said = holds_nameless(id) || (alone && misplaced) ||
+                              (!brace.valid() && row != nullptr && wrong_count(id, *row));
             if (!said) report_missing_braces(cst_, id, reporter_);
         }
         if (ignored || row == nullptr) {
@@ -271,12 +273,22 @@ class Binder {
     [[nodiscard]] bool holds_nameless(NodeId id) const { return holds(id, NodeKind::kNameless); }
     [[nodiscard]] bool holds_numbers(NodeId id) const { return holds(id, NodeKind::kNumbers); }
 
+    /// A positional block with another number of numbers than it takes.
+    [[nodiscard]] bool wrong_count(NodeId id, const BlockRow& row) const {
+        if (row.layout != Layout::kPositional || !holds_numbers(id)) return false;
+        const CstNode& numbers = cst_.node(cst_.first_child(id));
+        const auto due = grammar::arity(grammar::fields_of(row.id)[0].type);
+        return numbers.end_token - numbers.first_token != static_cast<std::uint32_t>(due);
+    }
+
     void bind_numbers(NodeId id) {
         const Level& level = levels_.back();
         if (level.row == nullptr || level.row->layout == Layout::kInline) return;
         const CstNode& node = cst_.node(id);
-        const TokenId name{cst_.node(level.node).first_token};
-        const ValueRun run{name, node.first_token, node.end_token, level.row->name};
+        const CstNode& block = cst_.node(level.node);
+        const TokenId name{block.first_token};
+        ValueRun run{name, node.first_token, node.end_token, level.row->name};
+        if (!open_brace_of(tokens_, block).valid()) run.hint = "they stand in braces, { and }";
         fields_.push_back(
             bind_values(grammar::fields_of(level.row->id)[0], run, id, bound_.ast, reporter_));
     }

@@ -33,7 +33,7 @@ Diagnostic& Reporter::add(const DiagnosticCode& code, ByteRange bytes, std::stri
     diagnostic.severity = code.severity;
     diagnostic.message = std::move(message);
     diagnostic.span = span(bytes);
-    if (diagnostics_.size() < kMaxFindings) {
+    if (diagnostics_.size() < source::kMostFindings) {
         diagnostics_.push_back(std::move(diagnostic));
         return diagnostics_.back();
     }

@@ -13,13 +13,11 @@ namespace cobble::frontend {
 
 class Reporter {
   public:
-    /// After this many findings the rest is counted, not kept: a binary file would otherwise give
-    /// one a byte, some 300 times its size.
-    static constexpr std::size_t kMaxFindings = 10000;
-
     Reporter(source::SourceId source, const Tokens& tokens) : source_(source), tokens_(tokens) {}
 
-    /// A finding about a range of bytes, to which notes and fixes can be added.
+    /// A finding about a range of bytes, to which notes and fixes can be added. After
+    /// source::kMostFindings the rest is counted, not kept: a binary file would otherwise give one
+    /// a byte, some 300 times its size.
     source::Diagnostic& add(const source::DiagnosticCode& code, ByteRange bytes,
                             std::string message);
     source::Diagnostic& add(const source::DiagnosticCode& code, TokenId token,

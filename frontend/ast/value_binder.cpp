@@ -93,10 +93,29 @@ class ValueBinder {
         const auto due = static_cast<std::size_t>(grammar::arity(row_.type));
         if (count == due) return true;
         const bool words = grammar::is_word(row_.type) || row_.type == ValueType::kMaterialRef;
-        reporter_.add(kWrongArity, run_.name,
-                      fmt::format("{} expects {}, {}", quoted(run_.what), expected_value(row_.type),
-                                  found_phrase(count, words ? "value" : "number")));
+        Diagnostic& finding = reporter_.add(
+            kWrongArity, run_.name,
+            fmt::format("{} expects {}, {}", quoted(run_.what), expected_value(row_.type),
+                        found_phrase(count, words ? "value" : "number")));
+        if (!run_.hint.empty()) finding.notes.push_back(run_.hint);
+        // As many tokens as values, so that the last ones are those too many: no #rrggbb is there.
+        if (count > due && count == run_.end - run_.begin) point_at_extra(finding, due);
         return false;
+    }
+
+    /// Some are shown one by one, many as one.
+    void point_at_extra(Diagnostic& finding, std::size_t due) const {
+        constexpr std::size_t kOneByOne = 4;
+        const TokenId first{run_.begin + static_cast<std::uint32_t>(due)};
+        const std::size_t extra = run_.end - first.value;
+        if (extra > kOneByOne) {
+            finding.related.push_back({reporter_.span(first, {run_.end - 1}),
+                                       fmt::format("these {} are too many", extra)});
+            return;
+        }
+        for (std::uint32_t i = first.value; i < run_.end; ++i) {
+            finding.related.push_back({reporter_.span(TokenId{i}), "this one is too many"});
+        }
     }
 
     bool bind_one(TokenId token) {

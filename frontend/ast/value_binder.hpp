@@ -18,6 +18,7 @@ struct ValueRun {
     std::uint32_t begin;  ///< tokens [begin, end)
     std::uint32_t end;
     std::string_view what;  ///< the name as messages quote it
+    std::string hint = {};  ///< a note for a wrong count, if not empty
 };
 
 /// Binds one field, with a finding for each value that is wrong, or else one for their count. Cost:

@@ -66,14 +66,13 @@ bool stands_before(const source::Diagnostic& a, const source::Diagnostic& b) {
 void note_dropped(CheckContext& context) {
     for (const auto& [severity, name] : {std::pair(source::Severity::kError, "errors"),
                                          std::pair(source::Severity::kWarning, "warnings")}) {
-        if (context.count(severity) <= CheckContext::kMostFindings) continue;
+        if (context.count(severity) <= source::kMostFindings) continue;
         const auto is_one = [wanted = severity](const source::Diagnostic& diagnostic) {
             return diagnostic.severity == wanted;
         };
         const auto last = std::find_if(context.found.rbegin(), context.found.rend(), is_one);
         last->notes.push_back(fmt::format("{} more {} of the file are not listed",
-                                          context.count(severity) - CheckContext::kMostFindings,
-                                          name));
+                                          context.count(severity) - source::kMostFindings, name));
     }
 }
 

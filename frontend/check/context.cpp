@@ -130,7 +130,7 @@ source::Diagnostic& CheckContext::report(const source::DiagnosticCode& code, sou
                                          std::string message) {
     source::Diagnostic diagnostic{&code, code.severity, std::move(message), span, {}, {}, {}};
     std::size_t& count = counts_[static_cast<std::size_t>(code.severity)];
-    if (++count > kMostFindings) {
+    if (++count > source::kMostFindings) {
         spare_ = std::move(diagnostic);
         return spare_;
     }

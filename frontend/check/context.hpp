@@ -66,13 +66,9 @@ class CheckContext {
 
     // --- Reporting ---
     /// Adds a finding with its code's severity. The reference holds until the next report. Past
-    /// kMostFindings of one severity nothing is kept.
+    /// source::kMostFindings of one severity nothing is kept.
     source::Diagnostic& report(const source::DiagnosticCode& code, source::Span span,
                                std::string message);
-
-    /// How many of one severity are kept: more serve nobody, and at about 500 bytes each they stay
-    /// below 5 MB.
-    static constexpr std::size_t kMostFindings = 10000;
 
     /// How many findings of this severity there were, kept or not.
     [[nodiscard]] std::size_t count(source::Severity severity) const {

@@ -4,21 +4,14 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "frontend/check/context.hpp"
+#include "frontend/check/single.hpp"
 
 namespace cobble::frontend {
 
 using Numbers3 = std::array<double, 3>;
-
-/// The renderer narrows numbers once to single precision, and published programs read them so: a
-/// magnitude beyond this has no place there.
-inline constexpr double kLargestNumber = std::numeric_limits<float>::max();
-
-/// False for what is not finite, too.
-inline bool fits_single(double number) { return std::fabs(number) <= kLargestNumber; }
 
 /// True if the number is zero in single precision: at most half of its smallest number, 2^-149.
 inline bool is_zero(double number) { return std::fabs(number) <= 0x1p-150; }

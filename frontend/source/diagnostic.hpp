@@ -2,6 +2,7 @@
 // One record for every finding, whoever reports it: the terminal, JSON, SARIF, a language server.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,10 @@ std::vector<const DiagnosticCode*> all_codes();
 
 /// The code with this name, or null.
 const DiagnosticCode* find_code(std::string_view name);
+
+/// How many findings are kept of what may find one at every byte: more serve nobody, and at some
+/// 500 bytes each they stay below 5 MB.
+inline constexpr std::size_t kMostFindings = 10000;
 
 /// A second place that a finding refers to, in the same file or another.
 struct Related {

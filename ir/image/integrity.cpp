@@ -8,16 +8,16 @@
 
 #include "ir/image/bytes.hpp"
 #include "ir/image/crc32.hpp"
+#include "ir/image/magic.hpp"
 #include "ir/image/radiance.hpp"
 
 namespace cobble::image {
 namespace {
 
-constexpr std::string_view kPngMark("\x89PNG\r\n\x1a\n", 8);
 constexpr const char* kCutShort = "the file ends too early";
 
 std::string png_damage(std::string_view bytes) {
-    std::size_t at = kPngMark.size();
+    std::size_t at = kPngMagic.size();
     for (;;) {
         if (bytes.size() - at < 12) return kCutShort;
         const std::uint64_t length = big_endian(bytes, at, 4);
@@ -143,7 +143,7 @@ std::string jpeg_damage(std::string_view bytes) {
 }  // namespace
 
 std::string_view image_format(std::string_view bytes) {
-    if (bytes.starts_with(kPngMark)) return "PNG";
+    if (bytes.starts_with(kPngMagic)) return "PNG";
     if (bytes.starts_with("BM")) return "BMP";
     if (is_jpeg(bytes)) return "JPEG";
     if (is_radiance(bytes)) return "HDR";

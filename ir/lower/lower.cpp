@@ -13,6 +13,7 @@
 #include "ir/lower/fold.hpp"
 #include "ir/lower/frames.hpp"
 #include "ir/lower/materials.hpp"
+#include "ir/lower/precision.hpp"
 #include "ir/lower/shapes.hpp"
 
 namespace cobble::ir {
@@ -46,7 +47,9 @@ const DiagnosticCode kIllConditioned{
     "direction more than a million times as much as another, single-precision hits there keep no "
     "correct digit.",
     "Transform {\n    Scale 1 0.0000001 1\n    Sphere { center 0 0 0  radius 1 }\n}",
-    "Use a less extreme scale, or a flat object such as a Triangle or a Plane."};
+    "Use a less extreme scale, or a flat object such as a Triangle or a Plane; `--precision "
+    "double` "
+    "bears half a billion times as much."};
 
 const DiagnosticCode kTooFast{
     "motion-too-fast",
@@ -58,8 +61,8 @@ const DiagnosticCode kTooFast{
     "}\n}",
     "Turn less during one exposure."};
 
-// Beyond it, 2^-24 (a float's precision) times the condition is 6 %: no digit is left.
-constexpr double kWorstCondition = 1e6;
+// Double has 29 binary digits more.
+constexpr double kWorstInDouble = kWorstCondition * 0x1p29;
 
 class Lowering {
   public:
@@ -92,6 +95,12 @@ class Lowering {
         scene.cube_maps = std::move(assets_.cube_maps());
         if (keep_) fold_constants(scene);
         lowered_.renderable = camera.has_value() && !scene.objects.empty();
+        if (camera && !checked_.has_errors() && options_.judge_float) {
+            for (source::Diagnostic& finding : precision_findings(scene)) {
+                const Span span = finding.span;
+                assets_.report(std::move(finding), span);
+            }
+        }
         lowered_.diagnostics = assets_.take_diagnostics();
         return std::move(lowered_);
     }
@@ -265,10 +274,8 @@ class Lowering {
             const auto use = mesh_uses_.find(block.value);
             if (use == mesh_uses_.end()) return;  // said when it was read
             good = shapes_.placement(frame).has_value();
-            if (good && keep_) {
-                good = shapes_.place_mesh(mesh_for(use->second), mesh_counts_[use->second] == 1,
-                                          block, object);
-            }
+            good = good && shapes_.place_mesh(mesh_for(use->second), mesh_counts_[use->second] == 1,
+                                              block, object);
         } else {
             good = shapes_.add(block, reads_uv, object);
         }
@@ -276,7 +283,7 @@ class Lowering {
         if (good) scene.objects.push_back(std::move(object));
     }
 
-    /// Builds the mesh at its first use.
+    /// Builds the mesh at its first use; for a lint without normals.
     std::uint32_t mesh_for(const std::pair<std::size_t, double>& use) {
         const auto found = meshes_.find(use);
         if (found != meshes_.end()) return found->second;
@@ -291,10 +298,10 @@ class Lowering {
         mesh.face_offsets = std::move(file.face_offsets);
         mesh.path = loaded.path;
         mesh.source = loaded.source;
-        if (normals) {
+        if (keep_ && normals) {
             mesh.normals = std::move(file.normals);
             adopt_normals(mesh);
-        } else {
+        } else if (keep_) {
             compute_normals(mesh, rule, use.second);
         }
         const auto index = static_cast<std::uint32_t>(lowered_.scene.meshes.size());
@@ -302,12 +309,14 @@ class Lowering {
         return meshes_[use] = index;
     }
 
-    void add_finding(const DiagnosticCode& code, const char* message, Span span) {
+    void add_finding(const DiagnosticCode& code, const char* message, Span span,
+                     const char* note = nullptr) {
         source::Diagnostic diagnostic;
         diagnostic.code = &code;
         diagnostic.severity = code.severity;
         diagnostic.message = message;
         diagnostic.span = span;
+        if (note != nullptr) diagnostic.notes.emplace_back(note);
         assets_.report(std::move(diagnostic), span);
     }
 
@@ -319,11 +328,15 @@ class Lowering {
         if (!good) {
             add_finding(kOutOfRange, "the object's transforms lead out of the range of numbers",
                         span);
-        } else if (shapes_.condition(frame) > kWorstCondition) {
+        } else if (shapes_.condition(frame) >
+                   (options_.judge_float ? kWorstCondition : kWorstInDouble)) {
             add_finding(kIllConditioned,
                         "the object's transforms stretch one direction more than a million times "
                         "as much as another",
-                        span);
+                        span,
+                        shapes_.condition(frame) > kWorstInDouble
+                            ? "doubles do not resolve it either"
+                            : "'--precision double' resolves it");
         } else if (frames_.frame(frame).coarse) {
             add_finding(kTooFast, "the object turns too far for steps of 15 degrees", span);
         } else {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frontend/source/span.hpp"
@@ -109,6 +110,23 @@ struct Placement {
 };
 
 enum class ShapeKind : std::uint8_t { kSphere, kPlane, kTriangle, kBox, kMesh };
+
+/// The block that makes an object.
+constexpr std::string_view block_name(ShapeKind kind) {
+    switch (kind) {
+        case ShapeKind::kSphere:
+            return "Sphere";
+        case ShapeKind::kPlane:
+            return "Plane";
+        case ShapeKind::kTriangle:
+            return "Triangle";
+        case ShapeKind::kBox:
+            return "Box";
+        case ShapeKind::kMesh:
+            return "TriangleMesh";
+    }
+    return "?";
+}
 
 /// One object of the file, in textual order. Its index is its part of a hit's identity: the answer
 /// to a ray is the smallest (t, object, face).

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
 #include "ir/math/affine.hpp"
+#include "ir/math/box_bounds.hpp"
 #include "ir/math/vec.hpp"
 #include "ir/scene/ids.hpp"
 
@@ -22,29 +22,7 @@ enum class PrimitiveKind : std::uint8_t {
 };
 inline constexpr std::size_t kPrimitiveKinds = 6;
 
-/// An axis-aligned box; inside out (lo = inf, hi = -inf) if empty.
-template <typename T>
-struct BoxBounds {
-    math::Vec3<T> lo{std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity(),
-                     std::numeric_limits<T>::infinity()};
-    math::Vec3<T> hi{-std::numeric_limits<T>::infinity(), -std::numeric_limits<T>::infinity(),
-                     -std::numeric_limits<T>::infinity()};
-
-    constexpr void add(math::Vec3<T> p) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            lo[i] = p[i] < lo[i] ? p[i] : lo[i];
-            hi[i] = p[i] > hi[i] ? p[i] : hi[i];
-        }
-    }
-    constexpr void add(const BoxBounds& b) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            lo[i] = b.lo[i] < lo[i] ? b.lo[i] : lo[i];
-            hi[i] = b.hi[i] > hi[i] ? b.hi[i] : hi[i];
-        }
-    }
-    [[nodiscard]] constexpr bool empty() const { return !(lo.x <= hi.x); }
-    friend constexpr bool operator==(const BoxBounds&, const BoxBounds&) = default;
-};
+using math::BoxBounds;
 
 template <typename T>
 struct TrianglePrimitive {

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "ir/math/elementary.hpp"
 #include "ir/math/srgb.hpp"
+#include "renderer/job/scheduler.hpp"
 #include "renderer/metrics/flip.hpp"
 
 namespace cobble::renderer {
@@ -53,39 +57,65 @@ math::Vec3d pixel_of(const Plane32& plane, std::size_t index) {
             static_cast<double>(p[2 * step])};
 }
 
-/// Rows of both pictures that are worked on at once.
-struct Band {
-    std::size_t first, end;  ///< whose differences are wanted
-    std::size_t from, to;    ///< which they depend on
+/// A part of both pictures that is worked on at once.
+struct Tile {
+    struct Range {
+        std::size_t first, end;  ///< whose differences are wanted
+        std::size_t from, to;    ///< which they depend on
+    };
+    Range x, y;
+
+    [[nodiscard]] bool owns(std::size_t px, std::size_t py) const {
+        return px >= x.first && px < x.end && py >= y.first && py < y.end;
+    }
 };
 
-/// Some 200 bytes a pixel are in use at once: bands keep that below half a gigabyte.
-constexpr std::size_t kBandRows = 256;
+/// Some 200 bytes a pixel are in use at once: of this size they stay near the processor. Tiles of
+/// wide filters are larger, lest most of the work be done for their margins.
+constexpr std::size_t kTileSide = 256;
 
-std::vector<Band> bands_of(std::size_t height, std::size_t reach) {
-    std::vector<Band> bands;
-    for (std::size_t first = 0; first < height; first += kBandRows) {
-        const std::size_t end = std::min(first + kBandRows, height);
-        bands.push_back(
-            {first, end, first - std::min(first, reach), std::min(end + reach, height)});
+std::vector<Tile::Range> ranges_of(std::size_t size, std::size_t reach) {
+    const std::size_t side = std::max(kTileSide, 2 * reach);
+    std::vector<Tile::Range> ranges;
+    for (std::size_t first = 0; first < size; first += side) {
+        const std::size_t end = std::min(first + side, size);
+        ranges.push_back({first, end, first - std::min(first, reach), std::min(end + reach, size)});
     }
-    return bands;
+    return ranges;
 }
 
-/// The band's pixels, clamped to [0, 1] and decoded. Adds what was clamped in its own rows.
-LinearImage linear_image(const Plane32& plane, const Band& band, bool light,
+/// Display values as light, each value's result kept: pictures hold few different ones.
+class ToLight {
+  public:
+    double operator()(double value) {
+        const auto single = static_cast<float>(value);
+        Known& known = known_[(std::bit_cast<std::uint32_t>(single) * 2654435761U) >> 22U];
+        if (known.value != single) known = {single, math::srgb_to_linear(value)};
+        return known.light;
+    }
+
+  private:
+    struct Known {
+        float value = -1;
+        double light = 0;
+    };
+    std::array<Known, 1024> known_{};
+};
+
+/// The tile's pixels, clamped to [0, 1] and decoded. Adds what was clamped in its own ones.
+LinearImage linear_image(const Plane32& plane, const Tile& tile, bool light,
                          std::uint64_t& clamped) {
-    LinearImage image{plane.width, band.to - band.from, {}};
+    LinearImage image{tile.x.to - tile.x.from, tile.y.to - tile.y.from, {}};
     image.pixels.reserve(image.width * image.height);
-    for (std::size_t y = band.from; y < band.to; ++y) {
-        const bool own = y >= band.first && y < band.end;
-        for (std::size_t x = 0; x < plane.width; ++x) {
+    ToLight to_light;
+    for (std::size_t y = tile.y.from; y < tile.y.to; ++y) {
+        for (std::size_t x = tile.x.from; x < tile.x.to; ++x) {
             math::Vec3d pixel = pixel_of(plane, y * plane.width + x);
             if (!finite(pixel)) pixel = {};
             for (std::size_t c = 0; c < 3; ++c) {
                 const double inside = std::clamp(pixel[c], 0.0, 1.0);
-                if (own && inside != pixel[c] && c < plane.channels) ++clamped;
-                pixel[c] = light ? inside : math::srgb_to_linear(inside);
+                if (inside != pixel[c] && c < plane.channels && tile.owns(x, y)) ++clamped;
+                pixel[c] = light ? inside : to_light(inside);
             }
             image.pixels.push_back(pixel);
         }
@@ -93,22 +123,85 @@ LinearImage linear_image(const Plane32& plane, const Band& band, bool light,
     return image;
 }
 
-void add_flip(const Plane32& a, const Plane32& b, const CompareOptions& options,
-              Comparison& result) {
-    result.map = {a.width, a.height, 1, {}};
-    result.map.values.reserve(std::size_t{a.width} * a.height);
-    for (const Band& band : bands_of(a.height, flip_reach(options.pixels_per_degree))) {
-        const LinearImage image_a = linear_image(a, band, options.light_a, result.clamped);
-        const LinearImage image_b = linear_image(b, band, options.light_b, result.clamped);
-        const std::vector<double> all = flip(image_a, image_b, options.pixels_per_degree);
-        const std::size_t skipped = (band.first - band.from) * a.width;
-        for (std::size_t i = skipped; i < skipped + (band.end - band.first) * a.width; ++i) {
-            result.flip += all[i];
-            result.flip_maximum = std::max(result.flip_maximum, all[i]);
-            result.map.values.push_back(static_cast<float>(all[i]));
+/// All that the tile's differences depend on is the same, bit by bit.
+bool equal_in(const Plane32& a, const Plane32& b, const Tile& tile, const CompareOptions& options) {
+    if (options.light_a != options.light_b || a.channels != b.channels) return false;
+    for (std::size_t y = tile.y.from; y < tile.y.to; ++y) {
+        const std::size_t first = (y * a.width + tile.x.from) * a.channels;
+        const std::size_t bytes = (tile.x.to - tile.x.from) * a.channels * sizeof(float);
+        if (std::memcmp(&a.values[first], &b.values[first], bytes) != 0) return false;
+    }
+    return true;
+}
+
+struct TileSum {
+    double flip = 0;
+    double maximum = 0;
+    std::uint64_t clamped = 0;
+};
+
+/// Of a picture that is compared with itself.
+std::uint64_t clamped_in(const Plane32& plane, const Tile& tile) {
+    std::uint64_t clamped = 0;
+    for (std::size_t y = tile.y.first; y < tile.y.end; ++y) {
+        for (std::size_t x = tile.x.first; x < tile.x.end; ++x) {
+            const std::size_t pixel = y * plane.width + x;
+            if (!finite(pixel_of(plane, pixel))) continue;
+            for (std::size_t c = 0; c < plane.channels; ++c) {
+                const float value = plane.values[pixel * plane.channels + c];
+                if (value < 0 || value > 1) ++clamped;
+            }
         }
     }
-    result.flip /= static_cast<double>(result.map.values.size());
+    return clamped;
+}
+
+TileSum flip_in(const Plane32& a, const Plane32& b, const Tile& tile, const CompareOptions& options,
+                Plane32& map) {
+    TileSum sum;
+    if (equal_in(a, b, tile, options)) {
+        // The map holds zeros already.
+        sum.clamped = 2 * clamped_in(a, tile);
+        return sum;
+    }
+    const LinearImage image_a = linear_image(a, tile, options.light_a, sum.clamped);
+    const LinearImage image_b = linear_image(b, tile, options.light_b, sum.clamped);
+    const std::vector<double> all = flip(image_a, image_b, options.pixels_per_degree);
+    for (std::size_t y = tile.y.first; y < tile.y.end; ++y) {
+        for (std::size_t x = tile.x.first; x < tile.x.end; ++x) {
+            const double value = all[(y - tile.y.from) * image_a.width + (x - tile.x.from)];
+            sum.flip += value;
+            sum.maximum = std::max(sum.maximum, value);
+            map.values[y * map.width + x] = static_cast<float>(value);
+        }
+    }
+    return sum;
+}
+
+void add_flip(const Plane32& a, const Plane32& b, const CompareOptions& options,
+              Comparison& result) {
+    const std::size_t pixels = std::size_t{a.width} * a.height;
+    result.map = {a.width, a.height, 1, std::vector<float>(pixels)};
+    const std::size_t reach = flip_reach(options.pixels_per_degree);
+    std::vector<Tile> tiles;
+    for (const Tile::Range& y : ranges_of(a.height, reach)) {
+        for (const Tile::Range& x : ranges_of(a.width, reach)) tiles.push_back({x, y});
+    }
+    std::vector<TileSum> sums(tiles.size());
+    std::atomic<std::size_t> next{0};
+    const auto scheduler = make_thread_scheduler(options.threads);
+    scheduler->run([&](std::uint32_t) {
+        for (std::size_t i = next++; i < tiles.size(); i = next++) {
+            sums[i] = flip_in(a, b, tiles[i], options, result.map);
+        }
+    });
+    // In one order, whoever was first.
+    for (const TileSum& sum : sums) {
+        result.flip += sum.flip;
+        result.flip_maximum = std::max(result.flip_maximum, sum.maximum);
+        result.clamped += sum.clamped;
+    }
+    result.flip /= static_cast<double>(pixels);
 }
 
 void add_differences(const Plane32& a, const Plane32& b, Comparison& result) {
@@ -138,11 +231,13 @@ void add_differences(const Plane32& a, const Plane32& b, Comparison& result) {
     result.mse /= count;
     result.rel_mse /= count;
     result.mae /= count;
-    std::sort(largest.begin(), largest.end());
-    result.maximum = largest.back();
-    // Nearest rank: the smallest value that at least 99 % of the pixels do not exceed.
+    result.maximum = *std::max_element(largest.begin(), largest.end());
+    // Nearest rank: the smallest value that at least 99 % of the pixels do not exceed. It is one
+    // number, whatever the order of those beside it.
     const std::size_t rank = (largest.size() * 99 + 99) / 100;
-    result.percentile_99 = largest[rank - 1];
+    const auto at = largest.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    std::nth_element(largest.begin(), at, largest.end());
+    result.percentile_99 = *at;
 }
 
 }  // namespace

@@ -38,8 +38,12 @@ Kernel sampled_kernel(std::size_t radius, const Function& function) {
     return kernel;
 }
 
-/// Correlates each row with `horizontal`, then each column with `vertical`; outside the grid its
-/// edge is repeated. Cost: width height (both lengths) multiplications, in one order.
+/// Correlates each row, or each column, with the kernel; outside the grid its edge is repeated.
+/// Cost: width height length multiplications, in one order.
+Grid convolved_rows(const Grid& grid, const Kernel& kernel);
+Grid convolved_columns(const Grid& grid, const Kernel& kernel);
+
+/// Rows, then columns.
 Grid convolved(const Grid& grid, const Kernel& horizontal, const Kernel& vertical);
 
 }  // namespace cobble::renderer

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "ir/math/elementary.hpp"
 #include "renderer/metrics/convolve.hpp"
@@ -59,10 +61,23 @@ Vec3d relative_xyz_of_opponent(Vec3d o) {
     return {y + o.y / 500, y, y - o.z / 200};
 }
 
+/// Of a number in (0.008, 2), to a few units in the last place; a power takes several times as
+/// long. Halley's iteration triples the digits that are right: from 5 % three steps are plenty.
+double cube_root(double x) {
+    // A third of the exponent, as if the bits were a logarithm, and what keeps 1 near 1: (1023 -
+    // 1023 / 3 - 0.033) 2^52, as in FreeBSD's cbrt.
+    constexpr std::uint64_t kThirds = 0x2a9f789300000000;
+    double y = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + kThirds);
+    for (int i = 0; i < 3; ++i) {
+        const double cube = y * y * y;
+        y = y * ((cube + 2 * x) / (2 * cube + x));
+    }
+    return y;
+}
+
 double lab_root(double t) {
     constexpr double kDelta = 6.0 / 29;
-    return t > kDelta * kDelta * kDelta ? math::pow(t, 1.0 / 3)
-                                        : t / (3 * kDelta * kDelta) + 4.0 / 29;
+    return t > kDelta * kDelta * kDelta ? cube_root(t) : t / (3 * kDelta * kDelta) + 4.0 / 29;
 }
 
 /// CIELab whose chroma shrinks with lightness (the Hunt effect, section 4.1.2).
@@ -168,10 +183,8 @@ double redistributed(double difference, double largest) {
 
 // --- The feature pipeline (section 4.2) ---
 
-/// Width in degrees of the lines and points that the eye looks for, and the exponent of their
-/// difference.
+/// Width in degrees of the lines and points that the eye looks for.
 constexpr double kFeatureWidth = 0.082;
-constexpr double kQf = 0.5;
 
 double feature_deviation(double pixels_per_degree) {
     return 0.5 * kFeatureWidth * pixels_per_degree;
@@ -211,8 +224,9 @@ Features features_of(const LinearImage& image, double pixels_per_degree) {
         sampled_kernel(radius, [&](double x) { return (x * x / variance - 1) * gauss(x); });
     edge.balance();
     point.balance();
-    return {magnitude(convolved(grey, edge, blur), convolved(grey, blur, edge)),
-            magnitude(convolved(grey, point, blur), convolved(grey, blur, point))};
+    const Grid blurred = convolved_rows(grey, blur);
+    return {magnitude(convolved(grey, edge, blur), convolved_columns(blurred, edge)),
+            magnitude(convolved(grey, point, blur), convolved_columns(blurred, point))};
 }
 
 }  // namespace
@@ -233,12 +247,14 @@ std::vector<double> flip(const LinearImage& reference, const LinearImage& test,
     std::vector<double> result(colors_a.size());
     for (std::size_t i = 0; i < result.size(); ++i) {
         const double distance = hyab(colors_a[i], colors_b[i]);
-        const double color = distance > 0 ? redistributed(math::pow(distance, kQc), largest) : 0;
+        if (!(distance > 0)) continue;
+        const double color = redistributed(math::pow(distance, kQc), largest);
         const double edges = std::fabs(features_a.edges.values[i] - features_b.edges.values[i]);
         const double points = std::fabs(features_a.points.values[i] - features_b.points.values[i]);
-        const double feature = math::pow(std::max(edges, points) / std::sqrt(2.0), kQf);
+        // The exponent of their difference is a half.
+        const double feature = std::sqrt(std::max(edges, points) / std::sqrt(2.0));
         // Section 4.3: features strengthen a colour difference; alone they are none.
-        result[i] = color > 0 ? std::clamp(math::pow(color, 1 - feature), 0.0, 1.0) : 0;
+        result[i] = std::clamp(math::pow(color, 1 - feature), 0.0, 1.0);
     }
     return result;
 }

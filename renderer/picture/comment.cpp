@@ -6,18 +6,19 @@
 
 #include "ir/image/bytes.hpp"
 #include "ir/image/crc32.hpp"
+#include "ir/image/magic.hpp"
 
 namespace cobble::renderer {
 namespace {
 
 using image::big_endian;
+using image::kExrMagic;
+using image::kPngMagic;
 using image::little_endian;
 using image::put_big_endian;
 using image::put_little_endian;
 
-constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kPngKeyword{"Comment\0", 8};
-constexpr std::string_view kExrMagic = "\x76\x2f\x31\x01";
 constexpr std::size_t kExrHeader = 8;  // the magic number and the version
 constexpr std::string_view kExrName{"comments\0string\0", 16};
 constexpr std::string_view kHdrPrefix = "# ";

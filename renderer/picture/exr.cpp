@@ -11,6 +11,7 @@
 
 #include "ir/image/bytes.hpp"
 #include "ir/image/decoder.hpp"
+#include "ir/image/magic.hpp"
 #include "renderer/picture/codecs.hpp"
 
 namespace cobble::renderer {
@@ -240,7 +241,7 @@ Encoded encode_exr(const Plane32& plane) {
     const bool grey = plane.channels == 1;
     Encoded result;
     std::string& out = result.bytes;
-    out = "\x76\x2f\x31\x01";
+    out = image::kExrMagic;
     put_little_endian(out, kVersion, 4);
     std::string channels;
     for (const std::string_view name : {"B", "G", "R", "Y"}) {

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "ir/image/decoder.hpp"
+#include "ir/image/magic.hpp"
 #include "ir/math/srgb.hpp"
 #include "renderer/picture/codecs.hpp"
 #include "renderer/picture/comment.hpp"
@@ -148,7 +149,7 @@ Encoded encode(const Plane32& plane, PictureFormat format, const EncodeOptions& 
 
 Decoded decode(std::string_view bytes, std::uint64_t max_pixels) {
     if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return decode_pfm(bytes, max_pixels);
-    if (bytes.starts_with("\x76\x2f\x31\x01")) return decode_exr(bytes, max_pixels);
+    if (bytes.starts_with(image::kExrMagic)) return decode_exr(bytes, max_pixels);
     image::Decoded image = image::decode(bytes, {max_pixels, true});
     Decoded result;
     if (image.status == image::Status::kUnknown) {

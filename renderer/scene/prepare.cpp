@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ir/math/inverse.hpp"
+#include "ir/math/narrow.hpp"
 #include "renderer/accel/builder.hpp"
 #include "renderer/accel/wide_builder.hpp"
 #include "renderer/geometry/bounds.hpp"
@@ -25,12 +26,7 @@ using math::Vec3;
 using math::Vec3d;
 using Kind = PreparationNote::Kind;
 
-/// Beyond these, products of three coordinates leave the range of the wide type: 2^-1022 to 2^1023
-/// for both (with room for the parts of a double-double product).
-template <typename T>
-inline constexpr T kLargestCoordinate = T(0x1p120);
-template <>
-inline constexpr double kLargestCoordinate<double> = 0x1p300;
+using math::kLargestCoordinate;
 
 template <typename T>
 bool in_range(T x) {
@@ -65,10 +61,11 @@ void pad_for_motion(BoxBounds<T>& box) {
 template <typename T>
 class Preparation {
   public:
-    Preparation(const ir::Scene& scene, const PrepareOptions& options) : scene_(scene) {
+    Preparation(const ir::Scene& scene, const PrepareOptions& options)
+        : scene_(scene), bounds_(scene) {
         out_.source = &scene;
         out_.options = options;
-        out_.origin = grid_origin(finite_bounds(scene), scene.camera.center);
+        out_.origin = grid_origin(bounds_.all(), scene.camera.center);
         geometry().places.resize(scene.objects.size());
         placed_mesh_.assign(scene.meshes.size(), Geometry<T>::kNone);
     }
@@ -288,7 +285,7 @@ class Preparation {
         instance.object = id;
         instance.keys = object.placement.count;
         instance.first_key = static_cast<std::uint32_t>(g.instance_keys.size());
-        const BoxBounds<double> own = shape_bounds(scene_, object);
+        const BoxBounds<double> own = bounds_.shape(object);
         instance.shape_origin = object.kind == ir::ShapeKind::kSphere
                                     ? scene_.spheres[object.shape].keys[0].center
                                     : grid_origin(own, (own.lo + own.hi) * 0.5);
@@ -437,6 +434,7 @@ class Preparation {
     }
 
     const ir::Scene& scene_;
+    ir::SceneBounds bounds_;
     PreparedScene<T> out_;
     std::vector<BuildItem<T>> items_;
     std::vector<std::uint32_t> placed_mesh_;

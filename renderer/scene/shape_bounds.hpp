@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "ir/math/vec.hpp"
+#include "ir/scene/bounds.hpp"
 #include "ir/scene/scene.hpp"
 #include "renderer/geometry/primitives.hpp"
 
@@ -37,11 +38,7 @@ BoxBounds<T> narrow_box(const ir::Box& box, math::Vec3d origin) {
     return {(box.min - origin).template to<T>(), (box.max - origin).template to<T>()};
 }
 
-/// Of an object's shape in its own space; empty for a plane, or if nothing of it is finite.
-BoxBounds<double> shape_bounds(const ir::Scene& scene, const ir::Object& object);
-
-/// Of all objects but planes, in the world, as they stand at their keys.
-BoxBounds<double> finite_bounds(const ir::Scene& scene);
+using ir::shape_bounds;
 
 /// The plane of `object` at its key `k` (0 if it has none), local to `origin`.
 PlaneKey plane_key(const ir::Scene& scene, const ir::Object& object, std::uint32_t k,

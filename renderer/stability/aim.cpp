@@ -13,8 +13,10 @@ namespace {
 
 using math::Vec3d;
 
-enum class Feature : std::uint8_t { kVertex, kEdge, kFace };
-constexpr std::uint32_t kFeatures = 3;
+enum class Feature : std::uint8_t { kVertex, kEdge, kFace, kOutline };
+constexpr std::uint32_t kFeatures = 4;
+// Of a round mesh of a million faces every five-hundredth edge is on the outline: many are found.
+constexpr int kOutlineTries = 256;
 
 Vec3d on_triangle(const std::array<Vec3d, 3>& v, Feature feature, Choices& choices) {
     const std::size_t corner = choices.below(3);
@@ -22,13 +24,33 @@ Vec3d on_triangle(const std::array<Vec3d, 3>& v, Feature feature, Choices& choic
     if (feature == Feature::kVertex) return a;
     const Vec3d b = v[(corner + 1) % 3];
     const Vec3d on_edge = math::lerp(a, b, choices.unit());
-    if (feature == Feature::kEdge) return on_edge;
+    if (feature != Feature::kFace) return on_edge;
     return math::lerp(v[(corner + 2) % 3], on_edge, std::sqrt(choices.unit()));
+}
+
+/// `eye` is above the side of the triangle from which its corners run counter-clockwise.
+bool shows_front(const std::array<Vec3d, 3>& v, Vec3d eye) {
+    return dot(cross(v[1] - v[0], v[2] - v[0]), eye - v[0]) > 0;
+}
+
+/// A point of an edge between a front and a back; of any edge if none is found in time.
+Vec3d on_outline(const ir::Mesh& mesh, const MeshEdges& edges, Vec3d eye, Choices& choices) {
+    std::array<Vec3d, 2> ends;
+    for (int i = 0; i < kOutlineTries; ++i) {
+        const std::uint32_t face = choices.below(mesh.faces.size());
+        const std::uint32_t corner = choices.below(3);
+        const auto v = face_vertices<double>(mesh, face, {});
+        ends = {v[corner], v[(corner + 1) % 3]};
+        const std::uint32_t other = edges.across(face, corner);
+        if (other == MeshEdges::kNone) continue;
+        if (shows_front(v, eye) != shows_front(face_vertices<double>(mesh, other, {}), eye)) break;
+    }
+    return math::lerp(ends[0], ends[1], choices.unit());
 }
 
 Vec3d on_box(const ir::Box& box, Feature feature, Choices& choices) {
     // So many coordinates are at an end: three at a vertex, two on an edge, one on a face.
-    const std::size_t inner = static_cast<std::size_t>(feature);
+    const std::size_t inner = feature == Feature::kVertex ? 0 : feature == Feature::kFace ? 2 : 1;
     const std::size_t first = choices.below(3);
     Vec3d p;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -57,7 +79,7 @@ Vec3d on_sphere(const ir::Sphere::Key& sphere, Vec3d eye, Feature feature, Choic
     // Points that see the eye have a cosine to the axis of at least r / distance, the outline's.
     const double least = r / distance;
     double cosine = math::lerp(least, 1.0, choices.unit());
-    if (feature == Feature::kVertex) {
+    if (feature != Feature::kEdge) {
         // 2^-4 to 2^-23 of the way inwards: down to where float still tells it from the outline.
         const double inwards = std::ldexp(1.0, -4 - static_cast<int>(choices.below(20)));
         cosine = math::lerp(least, 1.0, inwards);
@@ -83,8 +105,8 @@ Vec3d on_plane(const PlaneKey& plane, Vec3d eye, Choices& choices) {
 
 }  // namespace
 
-AimPoints::AimPoints(const ir::Scene& scene, ir::ObjectId object, Vec3d eye)
-    : scene_(&scene), id_(object), eye_(eye) {}
+AimPoints::AimPoints(const ir::Scene& scene, ir::ObjectId object, Vec3d eye, const MeshEdges* edges)
+    : scene_(&scene), id_(object), eye_(eye), edges_(edges) {}
 
 Vec3d AimPoints::point(std::uint32_t i) const {
     Choices choices(id_.value, i);
@@ -92,11 +114,11 @@ Vec3d AimPoints::point(std::uint32_t i) const {
     const ir::Object& object = scene_->objects[id_.value];
     const bool placed = object.placement.count > 0;
     const auto placement = placed ? scene_->placements[object.placement.first] : ir::Placement{};
+    const Vec3d own_eye = placed ? placement.world_to_object.point(eye_) : eye_;
     Vec3d p;
     switch (object.kind) {
         case ir::ShapeKind::kSphere:
-            p = on_sphere(scene_->spheres[object.shape].keys[0],
-                          placed ? placement.world_to_object.point(eye_) : eye_, feature, choices);
+            p = on_sphere(scene_->spheres[object.shape].keys[0], own_eye, feature, choices);
             break;
         case ir::ShapeKind::kBox:
             p = on_box(scene_->boxes[object.shape], feature, choices);
@@ -107,6 +129,10 @@ Vec3d AimPoints::point(std::uint32_t i) const {
         case ir::ShapeKind::kMesh: {
             const ir::Mesh& mesh = scene_->meshes[object.shape];
             if (mesh.faces.empty()) break;
+            if (feature == Feature::kOutline && edges_ != nullptr) {
+                p = on_outline(mesh, *edges_, own_eye, choices);
+                break;
+            }
             const std::uint32_t face = choices.below(mesh.faces.size());
             p = on_triangle(face_vertices<double>(mesh, face, {}), feature, choices);
             break;

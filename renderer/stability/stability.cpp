@@ -2,61 +2,42 @@
 #include "renderer/stability/stability.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include "ir/math/elementary.hpp"
+#include "ir/math/narrow.hpp"
+#include "renderer/camera/camera.hpp"
+#include "renderer/intersect/batch.hpp"
 #include "renderer/intersect/intersect.hpp"
 #include "renderer/intersect/surface.hpp"
 #include "renderer/job/fp_environment.hpp"
-#include "renderer/scene/prepared_scene.hpp"
 #include "renderer/stability/aim.hpp"
+#include "renderer/stability/judge.hpp"
 #include "renderer/stability/random.hpp"
-#include "renderer/stability/reach.hpp"
 
 namespace cobble::renderer {
 namespace {
 
 using math::Vec3d;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFloatRounding = 0x1p-24;
-// What the tests of spheres and silhouettes hold float to: 8 u of the coordinates.
-constexpr double kBound = 8 * kFloatRounding;
-// A point that leave() has moved off lies up to 2.25 bounds of its own from the surface, and was
-// up to 1 from it before: 4 with the roundings of this sum.
-constexpr double kLeavingBounds = 4;
+// Rays that are cast together: a packet or a few.
+constexpr std::uint32_t kBatch = 64;
+// Through the picture: enough to meet what fills a thousandth of it.
+constexpr std::uint32_t kColumns = 64;
+constexpr std::uint32_t kRows = 48;
+// Rays that leave each hit.
 constexpr std::uint32_t kDepartures = 4;
-// Surfaces that touch at less than 8 degrees lie with each other.
-constexpr double kSameSurface = 0.99;
-// Rays around one, to find the outline of something that is near it.
-constexpr std::uint32_t kRing = 16;
+// Meshes of more faces get no outline: the sort would take longer than all rays.
+constexpr std::size_t kMostFaces = std::size_t{1} << 21;
 
-double sum_of(Vec3d a) { return (std::fabs(a.x) + std::fabs(a.y)) + std::fabs(a.z); }
-
-/// The way from x to the next float that is larger in size.
-double ulp_at(double x) {
-    const float size = std::fabs(static_cast<float>(x));
-    return double{std::nextafter(size, std::numeric_limits<float>::infinity())} - double{size};
-}
-
-template <typename T>
-struct Seen {
-    Ray<T> ray;
-    Hit<T> hit;
-    SurfacePoint<T> point;  ///< if hit
-
-    /// Infinite for nothing.
-    [[nodiscard]] double t() const { return hit ? double{hit.t} : kInfinity; }
-};
-
-/// What double sees around a ray, to be looked at only where float and double differ.
-struct Surroundings {
-    const Seen<double>& middle;
-    double bound;                    ///< world units
-    std::vector<Seen<double>> seen;  ///< empty until asked for
+/// A ray to be cast and judged.
+struct Aim {
+    math::Vec3f direction;  ///< from the camera
+    Choices choices;        ///< of the rays that leave what it hits
 };
 
 class Measurement {
@@ -64,21 +45,22 @@ class Measurement {
     Measurement(const ir::Scene& scene, const StabilityOptions& options)
         : source_(scene),
           options_(options),
-          narrow_(prepare<float>(scene, {Acceleration::kBvh, false, nullptr})),
-          wide_(prepare<double>(scene, {Acceleration::kBvh, false, nullptr})),
+          narrow_(prepare<float>(scene, {options.acceleration, false, nullptr})),
+          wide_(prepare<double>(scene, {options.acceleration, false, nullptr})),
+          judge_(scene, wide_),
           eye_(narrow_.to_local(scene.camera.center)),
           // Square pixels; the angle spans the height.
-          pixel_(2 * math::tan(scene.camera.angle / 2) / options.height) {}
+          pixel_(2 * math::tan(scene.camera.angle / 2) / options.height),
+          edges_(scene.meshes.size()) {}
 
     Stability run() {
-        const std::uint64_t count = source_.objects.size();
+        const auto count = static_cast<std::uint32_t>(source_.objects.size());
         result_.objects.resize(count);
-        const std::uint64_t most = options_.rays / kLargestShare + 1;
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const ir::ObjectId id{static_cast<std::uint32_t>(i)};
-            result_.objects[i].object = id;
-            const std::uint64_t share = share_until(i + 1) - share_until(i);
-            aim_at(id, static_cast<std::uint32_t>(std::min(share, most)));
+        for (std::uint32_t i = 0; i < count; ++i) result_.objects[i].object = {i};
+        cast_all(count);
+        for (ObjectStability& entry : result_.objects) {
+            const MeshEdges* edges = edges_of(source_.objects[entry.object.value]);
+            entry.closed = edges != nullptr && edges->closed();
         }
         const auto rank = [](const ObjectStability& o) {
             return std::tuple(~o.faults(), o.least_ulps, o.object);
@@ -90,182 +72,232 @@ class Measurement {
     }
 
   private:
-    /// Of the rays, those that the first `objects` get: in whole numbers, evenly.
-    [[nodiscard]] std::uint64_t share_until(std::uint64_t objects) const {
-        const std::uint64_t count = source_.objects.size();
-        return options_.rays / count * objects + options_.rays % count * objects / count;
-    }
-
-    void aim_at(ir::ObjectId id, std::uint32_t rays) {
-        const AimPoints points(source_, id, source_.camera.center);
-        for (std::uint32_t i = 0; i < rays; ++i) {
-            Seen<float> narrow;
-            narrow.ray.origin = eye_;
-            // Not made unit: so a ray at a vertex meets it as exactly as float can say.
-            narrow.ray.direction = narrow_.to_local(points.point(i)) - eye_;
-            const Vec3d way = narrow.ray.direction.to<double>();
-            if (!finite(way) || way == Vec3d{}) continue;
-            ++result_.rays;
-            ++result_.objects[id.value].rays;
-            compare(narrow, Choices(~std::uint64_t{id.value}, i));
+    void cast_all(std::uint32_t count) {
+        for (std::uint32_t row = 0; row < kRows; ++row) {
+            if (!step(0.1 * row / kRows)) return;
+            look_through_picture(row);
         }
-    }
-
-    Hit<float> cast(const Ray<float>& ray, const Exclude& exclude) {
-        if (options_.cast) return options_.cast(narrow_, ray, exclude);
-        return closest_hit(narrow_, ray, exclude, counters_);
-    }
-
-    template <typename T>
-    void look(const PreparedScene<T>& scene, Seen<T>& seen) {
-        if constexpr (std::is_same_v<T, float>) {
-            seen.hit = cast(seen.ray, {});
-        } else {
-            seen.hit = closest_hit(scene, seen.ray, {}, counters_);
-        }
-        if (seen.hit) seen.point = surface_at(scene, seen.ray, seen.hit);
-    }
-
-    void compare(Seen<float>& narrow, Choices choices) {
-        look(narrow_, narrow);
-        Seen<double> wide;
-        wide.ray.origin = narrow.ray.origin.to<double>();
-        wide.ray.direction = narrow.ray.direction.to<double>();
-        look(wide_, wide);
-        if (narrow.hit) {
-            ObjectStability& object = result_.objects[narrow.hit.object.value];
-            ++object.hits;
-            object.least_ulps = std::min(object.least_ulps, ulps_at(narrow));
-        }
-        if (!narrow.hit && !wide.hit) return;
-        // Whether float is right depends on the outline of what is in front.
-        const double bound = narrow.t() < wide.t() ? bound_of(narrow) : bound_of(wide);
-        if (!(bound <= std::numeric_limits<double>::max())) return;
-        // The bound is across the surface: along a ray that grazes it, it is longer.
-        const double cosine = narrow.t() < wide.t() ? cosine_of(narrow) : cosine_of(wide);
-        const double slack = cosine > 0 ? bound / (length(wide.ray.direction) * cosine) : kInfinity;
-        Surroundings around{wide, bound, {}};
-        const bool agree = std::fabs(narrow.t() - wide.t()) <= slack;
-        if (!agree && narrow.t() > farthest(around) + slack) {
-            ++result_.objects[wide.hit.object.value].cracks;
-            keep_example(StabilityFault::kCrack, wide);
-        } else if (!agree && narrow.t() < nearest(around) - slack) {
-            ++result_.objects[narrow.hit.object.value].changed;
-            keep_example(StabilityFault::kChanged, narrow);
-        } else if (narrow.hit) {
-            leave_it(narrow, around, choices);
-        }
-    }
-
-    /// World units: how far off a float hit here may be from where double sees it.
-    template <typename T>
-    [[nodiscard]] double bound_of(const Seen<T>& seen) const {
-        const Vec3d origin = seen.ray.origin.template to<double>();
-        const double way = length(seen.ray.direction.template to<double>()) * double{seen.hit.t};
-        const double reach = reach_of(source_, narrow_.origin, seen.hit.object, seen.hit.face);
-        // The point's own bound grows with the rounding of its type.
-        const double own = double{seen.point.error} *
-                           (kFloatRounding / (double{std::numeric_limits<T>::epsilon()} / 2));
-        return kBound * (sum_of(origin) + way + reach) + kLeavingBounds * own;
-    }
-
-    /// Of the angle between the ray and the surface's normal; 0 at a silhouette.
-    template <typename T>
-    static double cosine_of(const Seen<T>& seen) {
-        return std::fabs(dot(seen.point.geometric_normal.template to<double>(),
-                             normalize(seen.ray.direction.template to<double>())));
-    }
-
-    /// What double sees along the ray and along those around it.
-    const std::vector<Seen<double>>& seen_around(Surroundings& around) {
-        if (!around.seen.empty()) return around.seen;
-        const Seen<double>& middle = around.middle;
-        around.seen.assign(kRing + 1, middle);
-        const Vec3d way = normalize(middle.ray.direction);
-        const Vec3d other = std::fabs(way.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-        const Vec3d u = normalize(cross(other, way)) * around.bound;
-        const Vec3d v = cross(way, u);
-        for (std::uint32_t k = 0; k < kRing; ++k) {
-            const math::SinCos turn = math::sincos(k * (2 * math::kPi / kRing));
-            Seen<double>& seen = around.seen[k];
-            // Every other one at half the bound: outlines have corners.
-            const double size = k % 2 == 0 ? 1 : 0.5;
-            seen.ray.origin = middle.ray.origin + (u * turn.cos + v * turn.sin) * size;
-            look(wide_, seen);
-        }
-        return around.seen;
-    }
-
-    double nearest(Surroundings& around) {
-        double t = kInfinity;
-        for (const Seen<double>& seen : seen_around(around)) t = std::min(t, seen.t());
-        return t;
-    }
-
-    double farthest(Surroundings& around) {
-        double t = 0;
-        for (const Seen<double>& seen : seen_around(around)) t = std::max(t, seen.t());
-        return t;
-    }
-
-    /// Sends rays on from a hit, to the side it was seen from, and counts those that meet the
-    /// surface they start on.
-    void leave_it(const Seen<float>& narrow, Surroundings& around, Choices choices) {
-        const Vec3d normal = narrow.point.geometric_normal.to<double>();
-        const Vec3d way = normalize(narrow.ray.direction.to<double>());
-        const Vec3d side = dot(normal, way) > 0 ? -normal : normal;
-        const double near = kLeavingBounds * double{narrow.point.error};
-        for (std::uint32_t k = 0; k < kDepartures; ++k) {
-            Vec3d direction = choices.direction();
-            if (k == 0) direction = way - side * (2 * dot(side, way));  // the mirror's
-            // Every other one grazes, the steepest by a half, the flattest by 2^-12.
-            if (k == 2) direction = direction - side * dot(side, direction);
-            if (k == 2) {
-                direction = normalize(direction) +
-                            side * std::ldexp(1.0, -1 - static_cast<int>(choices.below(12)));
+        // A few rays for each object in turn, so that no object waits long for its first.
+        std::uint64_t total = 0;
+        for (std::uint32_t i = 0; i < count; ++i) total += share_of(i);
+        std::uint64_t done = 0;
+        for (std::uint32_t first = 0; done < total; first += kBatch) {
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const std::uint32_t share = share_of(i);
+                if (share <= first) continue;
+                const std::uint32_t part = std::min(kBatch, share - first);
+                if (!step(0.1 + 0.9 * static_cast<double>(done) / static_cast<double>(total))) {
+                    return;
+                }
+                aim_at({i}, first, part);
+                done += part;
             }
-            if (dot(direction, side) < 0) direction = -direction;
-            const Departure<float> next =
-                leave(narrow.point, normalize(direction).to<float>(), narrow.ray.time);
-            const Hit<float> again = cast(next.ray, next.exclude);
-            if (!again) continue;
-            const Vec3d moved = next.ray.direction.to<double>() * double{again.t} +
-                                (next.ray.origin - narrow.point.position).to<double>();
-            if (std::fabs(dot(moved, normal)) > near) continue;
-            // At a corner either wall is right. Only what lies with the surface, met from behind,
-            // is the surface itself.
-            const Vec3d met = surface_at(narrow_, next.ray, again).geometric_normal.to<double>();
-            const double along = dot(met, side);
-            const double through = dot(next.ray.direction.to<double>(), met);
-            if (std::fabs(along) < kSameSurface || (through < 0) == (along > 0)) continue;
-            // Where it would be met from a start a bound away: further off if it is grazed.
-            constexpr double kLeastCosine = 1e-4;
-            const double later =
-                kLeavingBounds * around.bound / std::max(std::fabs(through), kLeastCosine);
-            if (meets_in_double(around, next.ray, double{again.t} + later)) continue;
-            ++result_.objects[narrow.hit.object.value].self_hits;
-            keep_example(StabilityFault::kSelfHit, narrow);
         }
     }
 
-    /// Whether one of the rays that leave what double saw, the same way, meets anything by t.
-    bool meets_in_double(Surroundings& around, const Ray<float>& ray, double t) {
-        for (const Seen<double>& seen : seen_around(around)) {
-            if (!seen.hit) continue;
-            Departure<double> next = leave(seen.point, ray.direction.to<double>(), seen.ray.time);
-            next.ray.t_max = t;
-            if (any_hit(wide_, next.ray, next.exclude, counters_)) return true;
-        }
-        return false;
+    /// False if that is enough.
+    bool step(double fraction) {
+        const std::uint64_t rays = result_.rays + result_.picture_rays + result_.departures;
+        if (options_.go_on && !options_.go_on(fraction, rays)) result_.complete = false;
+        return result_.complete;
     }
 
-    [[nodiscard]] double ulps_at(const Seen<float>& seen) const {
+    /// In whole numbers, evenly.
+    [[nodiscard]] std::uint32_t share_of(std::uint32_t object) const {
+        const std::uint64_t count = source_.objects.size();
+        const auto until = [&](std::uint64_t objects) {
+            return options_.rays / count * objects + options_.rays % count * objects / count;
+        };
+        const std::uint64_t share = until(object + std::uint64_t{1}) - until(object);
+        return static_cast<std::uint32_t>(std::min(share, options_.rays / kLargestShare + 1));
+    }
+
+    void look_through_picture(std::uint32_t row) {
+        const PreparedCamera camera(source_.camera, options_.width, options_.height);
+        std::vector<Aim> aims;
+        for (std::uint32_t column = 0; column < kColumns; ++column) {
+            const double x = (column + 0.5) / kColumns * options_.width;
+            const double y = (row + 0.5) / kRows * options_.height;
+            aims.push_back({camera.pinhole(x, y).direction.to<float>(),
+                            Choices(~std::uint64_t{0}, row * kColumns + column)});
+        }
+        result_.picture_rays += aims.size();
+        judge(aims, true);
+    }
+
+    void aim_at(ir::ObjectId id, std::uint32_t first, std::uint32_t count) {
+        const AimPoints points(source_, id, source_.camera.center,
+                               edges_of(source_.objects[id.value]));
+        std::vector<Aim> aims;
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            // Not made unit: so a ray at a vertex meets it as exactly as float can say.
+            const math::Vec3f direction = narrow_.to_local(points.point(i)) - eye_;
+            const Vec3d way = direction.to<double>();
+            if (!finite(way) || way == Vec3d{}) continue;
+            aims.push_back({direction, Choices(~std::uint64_t{id.value}, i)});
+        }
+        result_.rays += aims.size();
+        result_.objects[id.value].rays += aims.size();
+        judge(aims, false);
+    }
+
+    /// Nothing for what is no mesh, or too large a one.
+    const MeshEdges* edges_of(const ir::Object& object) {
+        if (object.kind != ir::ShapeKind::kMesh) return nullptr;
+        const ir::Mesh& mesh = source_.meshes[object.shape];
+        if (mesh.faces.size() > kMostFaces) return nullptr;
+        auto& edges = edges_[object.shape];
+        if (edges == nullptr) edges = std::make_unique<MeshEdges>(mesh);
+        return edges.get();
+    }
+
+    /// What float sees, by the kernels that render; `coherent` rays go as packets.
+    void look(std::vector<Seen<float>>& seen, const std::vector<Exclude>& excludes,
+              Coherence coherence) {
+        std::vector<Ray<float>> rays;
+        for (const auto& entry : seen) rays.push_back(entry.ray);
+        std::vector<Hit<float>> hits(rays.size());
+        if (options_.cast) {
+            options_.cast(narrow_, rays, excludes, hits);
+        } else {
+            closest_hits<float>(narrow_, rays, excludes, hits, counters_, coherence);
+        }
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            seen[i].hit = hits[i];
+            if (hits[i]) seen[i].point = surface_at(narrow_, rays[i], hits[i]);
+        }
+    }
+
+    void judge(const std::vector<Aim>& aims, bool picture) {
+        std::vector<Seen<float>> narrow(aims.size());
+        for (std::size_t i = 0; i < aims.size(); ++i) {
+            narrow[i].ray.origin = eye_;
+            narrow[i].ray.direction = aims[i].direction;
+        }
+        look(narrow, std::vector<Exclude>(aims.size()), Coherence::kCoherent);
+        std::vector<Leaving> leaving;
+        for (std::size_t i = 0; i < aims.size(); ++i) {
+            Leaving next{narrow[i], {}, aims[i].choices, {}};
+            Seen<double>& wide = next.around.middle;
+            wide.ray.origin = narrow[i].ray.origin.to<double>();
+            wide.ray.direction = narrow[i].ray.direction.to<double>();
+            wide.hit = closest_hit(wide_, wide.ray, {}, counters_);
+            if (wide.hit) wide.point = surface_at(wide_, wide.ray, wide.hit);
+            if (narrow[i].hit) measure(narrow[i], picture);
+            count_change(narrow[i], wide);
+            switch (judge_.judge(narrow[i], next.around)) {
+                case FloatVerdict::kCrack:
+                    ++result_.objects[wide.hit.object.value].cracks;
+                    keep_example(StabilityFault::kCrack, wide);
+                    break;
+                case FloatVerdict::kChanged:
+                    ++result_.objects[narrow[i].hit.object.value].changed;
+                    keep_example(StabilityFault::kChanged, narrow[i]);
+                    break;
+                case FloatVerdict::kRight:
+                    if (narrow[i].hit) leaving.push_back(std::move(next));
+                    break;
+                case FloatVerdict::kUnknown:
+                    break;
+            }
+        }
+        leave_all(leaving);
+    }
+
+    void count_change(const Seen<float>& narrow, const Seen<double>& wide) {
+        if (narrow.hit.object == wide.hit.object &&
+            (!narrow.hit || narrow.hit.face == wide.hit.face)) {
+            return;
+        }
+        ++result_.changes.rays;
+        switch (judge_.settle(narrow, wide)) {
+            case ExactVerdict::kDouble:
+                ++result_.changes.for_double;
+                break;
+            case ExactVerdict::kFloat:
+                ++result_.changes.for_float;
+                break;
+            case ExactVerdict::kBoth:
+                ++result_.changes.for_both;
+                break;
+            case ExactVerdict::kOpen:
+                ++result_.changes.open;
+                break;
+        }
+    }
+
+    /// A float hit that is right, from which rays are sent on.
+    struct Leaving {
+        Seen<float> from;
+        Surroundings around;
+        Choices choices;
+        Vec3d side;  ///< the surface's normal, toward the camera
+    };
+
+    /// Sends rays on from each hit, to the side it was seen from, and counts those that meet the
+    /// surface they start on.
+    void leave_all(std::vector<Leaving>& leaving) {
+        std::vector<Seen<float>> next(leaving.size() * kDepartures);
+        std::vector<Exclude> excludes(next.size());
+        for (std::size_t i = 0; i < leaving.size(); ++i) {
+            Leaving& start = leaving[i];
+            const Vec3d normal = start.from.point.geometric_normal.to<double>();
+            const Vec3d way = normalize(start.from.ray.direction.to<double>());
+            start.side = dot(normal, way) > 0 ? -normal : normal;
+            for (std::uint32_t k = 0; k < kDepartures; ++k) {
+                const Vec3d direction = direction_of(k, way, start.side, start.choices);
+                const Departure<float> departure =
+                    leave(start.from.point, direction.to<float>(), start.from.ray.time);
+                next[i * kDepartures + k].ray = departure.ray;
+                excludes[i * kDepartures + k] = departure.exclude;
+            }
+        }
+        look(next, excludes, Coherence::kNone);
+        result_.departures += next.size();
+        for (std::size_t j = 0; j < next.size(); ++j) {
+            if (!next[j].hit) continue;
+            Leaving& start = leaving[j / kDepartures];
+            if (!judge_.is_self_hit(start.from, start.side, next[j], start.around)) continue;
+            ++result_.objects[start.from.hit.object.value].self_hits;
+            keep_example(StabilityFault::kSelfHit, start.from);
+        }
+    }
+
+    /// Of the k-th ray that leaves a surface seen along `way`: the mirror's, any, one that grazes.
+    static Vec3d direction_of(std::uint32_t k, Vec3d way, Vec3d side, Choices& choices) {
+        Vec3d direction = choices.direction();
+        if (k == 0) direction = way - side * (2 * dot(side, way));
+        if (k == 2) {
+            // The steepest by a half, the flattest by 2^-12.
+            direction = normalize(direction - side * dot(side, direction)) +
+                        side * std::ldexp(1.0, -1 - static_cast<int>(choices.below(12)));
+        }
+        if (dot(direction, side) < 0) direction = -direction;
+        return normalize(direction);
+    }
+
+    void measure(const Seen<float>& seen, bool picture) {
         const Vec3d position = seen.point.position.to<double>();
+        const Vec3d eye = eye_.to<double>();
         double largest = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            largest = std::max({largest, std::fabs(position[i]), std::fabs(double{eye_[i]})});
+            largest = std::max({largest, std::fabs(position[i]), std::fabs(eye[i])});
         }
-        return length(position - eye_.to<double>()) * pixel_ / ulp_at(largest);
+        PixelPrecision at;
+        at.distance = length(position - eye);
+        at.pixel = at.distance * pixel_;
+        at.step = double{math::step_at<float>(largest)};
+        at.position = position + narrow_.origin;
+        at.object = seen.hit.object;
+        ObjectStability& object = result_.objects[at.object.value];
+        ++object.hits;
+        object.least_ulps = std::min(object.least_ulps, at.ulps());
+        if (!result_.worst || at.ulps() < result_.worst->ulps()) result_.worst = at;
+        if (!picture) return;
+        auto& nearest = result_.nearest;
+        auto& farthest = result_.farthest;
+        if (!nearest || at.distance < nearest->distance) nearest = at;
+        if (!farthest || at.distance > farthest->distance) farthest = at;
     }
 
     template <typename T>
@@ -280,8 +312,10 @@ class Measurement {
     StabilityOptions options_;
     PreparedScene<float> narrow_;
     PreparedScene<double> wide_;
+    FloatJudge judge_;
     math::Vec3f eye_;
-    double pixel_;  ///< wide at distance 1
+    double pixel_;                                   ///< wide at distance 1
+    std::vector<std::unique_ptr<MeshEdges>> edges_;  ///< by mesh; made when asked for
     Counters counters_;
     Stability result_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a scene's geometry stands up to float: rays aimed where float errs first, cast in float and
-// in double, and the answers compared.
+// How a scene's geometry stands up to float: rays aimed where float errs first, cast in float by
+// what renders (the fast core, in packets and one by one) and in double, and the answers compared.
 //
 // Float may be off by the bound that the tests of the renderer hold it to: 8 u of the coordinates
 // that a hit depends on (u = 2^-24), and what mapping into an instance may err. A float answer is
@@ -12,13 +12,16 @@
 // - a self-hit: a ray that leaves a float hit as shading does meets, within the bound that it
 //   started at, the same surface or one that lies with it, from behind, and no ray that leaves the
 //   hits in double so meets anything so near.
-// None is expected: each is a fault of the renderer or of what the scene asks of float.
+// None is expected: each is a fault of the renderer or of what the scene asks of float. Where float
+// and double name two different primitives, within rounding or not, arithmetic of 106 binary digits
+// says which of them is met first.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ir/math/vec.hpp"
@@ -32,10 +35,17 @@ namespace cobble::renderer {
 
 struct StabilityOptions {
     std::uint64_t rays = 200000;  ///< in all, spread evenly over the objects; see kLargestShare
-    std::uint32_t height = 480;   ///< of the picture whose pixels are measured
-    /// What answers the rays in float, if not closest_hit(): another kernel to be measured.
-    std::function<Hit<float>(const PreparedScene<float>&, const Ray<float>&, const Exclude&)> cast =
-        {};
+    std::uint32_t width = 640;    ///< of the picture whose pixels are measured
+    std::uint32_t height = 480;
+    Acceleration acceleration = Acceleration::kFast;
+    /// What answers the rays in float, if not closest_hits(): another kernel to be measured. All
+    /// spans have one length.
+    std::function<void(const PreparedScene<float>&, std::span<const Ray<float>>,
+                       std::span<const Exclude>, std::span<Hit<float>>)>
+        cast = {};
+    /// Called every few hundred rays with the part that is done, in [0, 1], and how many rays of
+    /// all kinds that took; false: that is enough.
+    std::function<bool(double, std::uint64_t)> go_on = {};
 };
 
 /// Of the rays, no object gets more than one in this many: one alone would learn nothing more.
@@ -47,16 +57,28 @@ inline constexpr double kFewUlps = 4;
 
 enum class StabilityFault : std::uint8_t { kCrack, kChanged, kSelfHit };
 
+/// How finely float can tell points apart at a hit.
+struct PixelPrecision {
+    double distance = 0;   ///< from the camera
+    double pixel = 0;      ///< how wide a pixel of the picture is there, world units
+    double step = 0;       ///< float's, at the largest local coordinate of the camera and the hit
+    math::Vec3d position;  ///< world
+    ir::ObjectId object;
+
+    /// The number of float's steps across a pixel.
+    [[nodiscard]] double ulps() const { return pixel / step; }
+};
+
 /// One object, with the faults at hits on it: a crack counts for what double sees there.
 struct ObjectStability {
     ir::ObjectId object;
+    bool closed = false;     ///< a mesh each of whose edges belongs to two faces
     std::uint64_t rays = 0;  ///< aimed at it
     std::uint64_t hits = 0;  ///< float hits on it, whatever was aimed at
     std::uint64_t cracks = 0;
     std::uint64_t changed = 0;
     std::uint64_t self_hits = 0;
-    /// The least number of float's steps, at the size of the local coordinates of the eye and the
-    /// hit, that a pixel in the middle of the picture is wide at a hit. Infinite without hits.
+    /// The least at a hit that its rays, or others, had on it. Infinite without hits.
     double least_ulps = std::numeric_limits<double>::infinity();
 
     struct Example {
@@ -69,17 +91,33 @@ struct ObjectStability {
     [[nodiscard]] std::uint64_t faults() const { return cracks + changed + self_hits; }
 };
 
-struct Stability {
+/// Rays along which float and double name different primitives, explained by rounding or not, by
+/// whose is met first in exact arithmetic.
+struct PrimitiveChanges {
     std::uint64_t rays = 0;
+    std::uint64_t for_double = 0, for_float = 0, for_both = 0;
+    std::uint64_t open = 0;  ///< too close to call
+};
+
+struct Stability {
+    std::uint64_t rays = 0;                ///< aimed at objects
+    std::uint64_t picture_rays = 0;        ///< through the picture, on a grid
+    std::uint64_t departures = 0;          ///< that left what was hit
+    bool complete = true;                  ///< all rays that were to be cast have been
     std::vector<ObjectStability> objects;  ///< worst first: faults, then ulps, then index
-    std::vector<PreparationNote> notes;    ///< of preparing the scene in float
+    PrimitiveChanges changes;
+    /// Among the rays through the picture; nothing if they hit nothing.
+    std::optional<PixelPrecision> nearest, farthest;
+    std::optional<PixelPrecision> worst;  ///< the least ulps of all hits
+    std::vector<PreparationNote> notes;   ///< of preparing the scene in float
 
     /// No cracks, changed hits or self-hits.
     [[nodiscard]] bool clean() const;
 };
 
-/// Deterministic. Some 5 microseconds a ray and more in scenes of many triangles; memory of the
-/// scene prepared in float and in double.
+/// Deterministic, unless `go_on` stops it: then what has been cast until then is told
+/// of, a few rays for each object. Some 5 microseconds a ray; memory of the scene prepared in float
+/// and in double.
 Stability measure_stability(const ir::Scene& scene, const StabilityOptions& options);
 
 }  // namespace cobble::renderer

@@ -42,13 +42,13 @@ struct Written {
     renderer::Stability measure(Kernel kernel) const {
         renderer::StabilityOptions options;
         options.rays = 1000000;
-        options.cast = [kernel](const auto& in, const auto& ray, const auto& exclude) {
+        test::cast_with(options, [kernel](const auto& in, const auto& ray, const auto& exclude) {
             return test::cast_by(in, ray, exclude, kernel);
-        };
+        });
         return renderer::measure_stability(scene, options);
     }
     [[nodiscard]] std::string text(const renderer::Stability& stability) const {
-        return stability_to_text({stability, scene, sources, "a.scene", 640, 480});
+        return stability_to_text({stability, scene, sources, "a.scene", 640, 480}, {});
     }
 };
 
@@ -65,10 +65,16 @@ TEST_CASE("stability: a planted fault is reported with the line of its object") 
     const std::string line = worst.object.value == 0 ? "a.scene:2:5" : "a.scene:3:5";
     // In the table, and where an example of the fault is told.
     CHECK(text.find(line) != std::string::npos);
-    CHECK(text.find("first crack at ") != std::string::npos);
+    CHECK(text.find("the first (a crack) at ") != std::string::npos);
+    // The line itself, with carets.
+    CHECK(text.find(worst.object.value == 0 ? "Triangle lower { }\n" : "Triangle upper { }\n") !=
+          std::string::npos);
+    CHECK(text.find("^^^^^^^^") != std::string::npos);
     CHECK(text.find(", 0 cracks") == std::string::npos);
-    const std::string json =
-        stability_to_json({leaky, written.scene, written.sources, "a.scene", 640, 480});
+    const StabilityReport report{leaky, written.scene, written.sources, "a.scene", 640, 480};
+    const std::uint64_t cracks = worst.cracks + leaky.objects.back().cracks;
+    CHECK(stability_line(report).starts_with("a.scene: " + std::to_string(cracks) + " cracks, "));
+    const std::string json = pretty(stability_to_json(report));
     CHECK(json.find("\"clean\": false") != std::string::npos);
 }
 
@@ -77,8 +83,9 @@ TEST_CASE("stability: a sound scene is reported clean") {
     const renderer::Stability good = written.measure(test::sound);
     CHECK(good.clean());
     CHECK(written.text(good).find(" 0 cracks, 0 changed hits, 0 self-hits") != std::string::npos);
-    const std::string json =
-        stability_to_json({good, written.scene, written.sources, "a.scene", 640, 480});
+    const StabilityReport report{good, written.scene, written.sources, "a.scene", 640, 480};
+    CHECK(stability_line(report).starts_with("a.scene: sound, "));
+    const std::string json = pretty(stability_to_json(report));
     CHECK(json.find("\"clean\": true") != std::string::npos);
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "frontend/format/edits.hpp"
 #include "frontend/format/format.hpp"
 #include "tests/fuzz/expect.hpp"
 
@@ -37,11 +36,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
            "only white space changes");
     const frontend::FormatResult again = frontend::format(result.text);
     expect(again.text == result.text, "twice is once");
-    expect(
-        frontend::apply(text, result.text, frontend::line_edits(text, result.text)) == result.text,
-        "the line edits make the result");
-    expect(frontend::line_edits(text, result.text).empty() == (text == result.text),
-           "a difference shows, and only a difference");
 
     // Some lines in the middle.
     const auto first = static_cast<std::uint32_t>(size % 7 + 1);

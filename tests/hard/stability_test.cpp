@@ -4,7 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include "ir/math/elementary.hpp"
 #include "renderer/stability/aim.hpp"
+#include "renderer/stability/exact.hpp"
+#include "renderer/stability/mesh_edges.hpp"
 #include "tests/hard/scenes.hpp"
 #include "tests/hard/wrong_kernels.hpp"
 
@@ -68,9 +71,9 @@ TEST_CASE("stability: a kernel that leaks is found out by its cracks") {
     const ir::Scene scene = ball();
     auto options = rays(1000000);
     const auto measure = [&](auto kernel) {
-        options.cast = [kernel](const auto& in, const auto& ray, const auto& exclude) {
+        cast_with(options, [kernel](const auto& in, const auto& ray, const auto& exclude) {
             return cast_by(in, ray, exclude, kernel);
-        };
+        });
         return measure_stability(scene, options);
     };
     const Stability good = measure(sound);
@@ -92,12 +95,12 @@ TEST_CASE("stability: a kernel that leaks is found out by its cracks") {
 
 TEST_CASE("stability: a kernel that sees what is not there is found out") {
     auto options = rays(100000);
-    options.cast = [](const auto& in, const auto& ray, const auto& exclude) {
+    cast_with(options, [](const auto& in, const auto& ray, const auto& exclude) {
         auto hit = cast_by(in, ray, exclude, sound);
         // A thousandth too near: far more than rounding.
         hit.t *= 0.999F;
         return hit;
-    };
+    });
     const Stability bad = measure_stability(ball(), options);
     CHECK(!bad.clean());
     CHECK(bad.objects[0].changed > 500);
@@ -108,7 +111,7 @@ TEST_CASE("stability: a kernel that sees what is not there is found out") {
 
 TEST_CASE("stability: a start that stays in its surface is found out by self-hits") {
     auto options = rays(100000);
-    options.cast = [](const auto& in, const auto& ray, const auto& exclude) {
+    cast_with(options, [](const auto& in, const auto& ray, const auto& exclude) {
         if (!exclude.object.valid()) return cast_by(in, ray, exclude, sound);
         // The start is moved back to behind the surface that it left, and nothing is left out.
         auto from = ray;
@@ -117,7 +120,7 @@ TEST_CASE("stability: a start that stays in its surface is found out by self-hit
         auto hit = cast_by(in, from, {}, sound);
         hit.t = hit.t > back ? hit.t - back : std::numeric_limits<float>::min();
         return hit;
-    };
+    });
     const Stability bad = measure_stability(ball(), options);
     CHECK(!bad.clean());
     CHECK(bad.objects[0].self_hits > 500);
@@ -209,7 +212,7 @@ TEST_CASE("stability: rays are aimed at vertices, edges and outlines") {
     for (std::uint32_t i = 0; i < 300; ++i) {
         const Vec3d n = (on_ball.point(i) - Vec3d{1, 0, 0}) / 2;
         CHECK(length(n) == doctest::Approx(1));
-        if (i % 3 == 0) {
+        if (i % 4 == 0 || i % 4 == 3) {
             const Vec3d to_eye = normalize(eye - on_ball.point(i));
             CHECK(dot(n, to_eye) > 0);
             nearest_to_outline = std::min(nearest_to_outline, dot(n, to_eye));
@@ -217,9 +220,155 @@ TEST_CASE("stability: rays are aimed at vertices, edges and outlines") {
         const Vec3d p = on_box.point(i);
         const int ends = (std::fabs(p.x) == 1 ? 1 : 0) + (std::fabs(p.y) == 2 ? 1 : 0) +
                          (std::fabs(p.z) == 3 ? 1 : 0);
-        CHECK(ends == 3 - static_cast<int>(i % 3));
+        constexpr int kEnds[] = {3, 2, 1, 2};
+        CHECK(ends == kEnds[i % 4]);
     }
     CHECK(nearest_to_outline < 1e-5);
+}
+
+TEST_CASE("stability: rays are aimed at the outline of a mesh") {
+    const Vec3d eye{0.3, 0.2, 4};
+    SceneMaker make;
+    const auto ball = make.mesh(icosphere(3));
+    const renderer::MeshEdges edges(make.scene.meshes[0]);
+    CHECK(edges.closed());
+    const AimPoints points(make.scene, ball, eye, &edges);
+    int near_outline = 0;
+    for (std::uint32_t i = 3; i < 403; i += 4) {
+        // Of a sphere the outline is where the line of sight is at right angles to the radius;
+        // edges of this one are 0.15 long.
+        const Vec3d p = points.point(i);
+        near_outline += std::fabs(dot(normalize(p), normalize(eye - p))) < 0.2 ? 1 : 0;
+    }
+    CHECK(near_outline >= 99);
+}
+
+TEST_CASE("stability: a mesh is closed if each edge has two faces") {
+    SceneMaker make;
+    make.mesh(icosphere(1));
+    ir::Mesh mesh = make.scene.meshes[0];
+    CHECK(renderer::MeshEdges(mesh).closed());
+    const auto missing = mesh.faces.back();
+    mesh.faces.pop_back();
+    CHECK(!renderer::MeshEdges(mesh).closed());
+    mesh.faces.push_back(missing);
+    mesh.faces.push_back(missing);
+    const renderer::MeshEdges doubled(mesh);
+    CHECK(!doubled.closed());
+    // Three faces at one edge: none of them is the other one's only neighbour.
+    const auto last = static_cast<std::uint32_t>(mesh.faces.size() - 1);
+    CHECK(doubled.across(last, 0) == renderer::MeshEdges::kNone);
+}
+
+TEST_CASE("stability: exact arithmetic tells hits from misses a rounding apart") {
+    using renderer::Meeting;
+    const std::array<Vec3d, 3> triangle{Vec3d{0, 0, 0}, Vec3d{1, 0, 0}, Vec3d{0, 1, 0}};
+    renderer::Ray<double> ray;
+    ray.direction = {0, 0, -1};
+    const auto at = [&](double x, double y) {
+        ray.origin = {x, y, 0.75};
+        return renderer::meet_exactly(ray, triangle);
+    };
+    CHECK(at(0.25, 0.25).meeting == Meeting::kMeets);
+    CHECK(static_cast<double>(at(0.25, 0.25).t) == 0.75);
+    CHECK(at(0.25, 1e-28).meeting == Meeting::kMeets);
+    CHECK(at(0.25, -1e-28).meeting == Meeting::kMisses);
+    CHECK(at(0.25, 0).meeting == Meeting::kUnsure);
+    // On the slanted edge x + y = 1, which rounding of the sum would not tell from its neighbours.
+    const double x = 1.0 / 3;
+    CHECK(at(x, std::nextafter(1 - x, 0.0)).meeting == Meeting::kMeets);
+    CHECK(at(x, std::nextafter(1 - x, 1.0)).meeting == Meeting::kMisses);
+    ray.direction = {0, 0, 1};
+    CHECK(at(0.25, 0.25).meeting == Meeting::kMisses);  // behind it
+}
+
+TEST_CASE("stability: exact arithmetic knows spheres, boxes and planes too") {
+    using renderer::Meeting;
+    renderer::Ray<double> ray;
+    ray.direction = {0, 0, -2};
+    const auto check = [&ray](double x, double z, const auto& shape, Meeting meeting, double t) {
+        ray.origin = {x, 0.125, z};
+        const auto found = renderer::meet_exactly(ray, shape);
+        CHECK(found.meeting == meeting);
+        if (meeting == Meeting::kMeets) CHECK(static_cast<double>(found.t) == t);
+    };
+    const renderer::SphereKey<double> sphere{{0, 0.125, 0}, 1};
+    check(0, 3, sphere, Meeting::kMeets, 1);
+    check(0, 0.5, sphere, Meeting::kMeets, 0.75);  // from inside
+    check(0, -3, sphere, Meeting::kMisses, 0);     // behind it
+    check(1, 3, sphere, Meeting::kUnsure, 0);      // the tangent
+    check(std::nextafter(1.0, 2.0), 3, sphere, Meeting::kMisses, 0);
+    check(0.6, 3, sphere, Meeting::kMeets, 1.1);
+    const renderer::BoxBounds<double> box{{-1, -1, -1}, {1, 1, 1}};
+    check(0, 3, box, Meeting::kMeets, 1);
+    check(0, 0.5, box, Meeting::kMeets, 0.75);
+    check(0, -3, box, Meeting::kMisses, 0);
+    check(std::nextafter(1.0, 2.0), 3, box, Meeting::kMisses, 0);
+    check(std::nextafter(1.0, 0.0), 3, box, Meeting::kMeets, 1);
+    const renderer::PlaneKey plane{{0, 0, 1}, 1};
+    check(0, 3, plane, Meeting::kMeets, 1);
+    check(0, 0, plane, Meeting::kMisses, 0);
+    check(0, 1, plane, Meeting::kUnsure, 0);
+}
+
+TEST_CASE("stability: where float and double name different triangles the exact answer decides") {
+    // A fan of 64 thin triangles around the middle: rays at its edges meet either neighbour.
+    SceneMaker make;
+    make.scene.camera.center = {0.1, 0.2, 7};
+    const auto rim = [](int k) {
+        const math::SinCos turn = math::sincos(k * (2 * math::kPi / 64));
+        return Vec3d{turn.cos, turn.sin, 0.1 * turn.sin * turn.cos};
+    };
+    for (int k = 0; k < 64; ++k) make.triangle({0.01, 0.02, 0.03}, rim(k), rim(k + 1));
+    const Stability stability = measure_stability(make.scene, rays(200000));
+    CHECK(stability.clean());
+    const renderer::PrimitiveChanges& changes = stability.changes;
+    CHECK(changes.rays > 100);
+    CHECK(changes.for_double > 50);
+    CHECK(changes.for_double > 10 * changes.for_float);
+    CHECK(changes.rays == changes.for_double + changes.for_float + changes.for_both + changes.open);
+}
+
+TEST_CASE("stability: precision is told at the nearest and farthest hits and at the worst") {
+    SceneMaker make;
+    make.scene.camera.center = {0, 0, 10};
+    const auto near = make.sphere({0, 0, 8}, 0.2);
+    const auto far = make.box({-30, -30, -101}, {30, 30, -100});
+    StabilityOptions options = rays(2000);
+    options.height = 240;
+    const Stability s = measure_stability(make.scene, options);
+    REQUIRE(s.nearest);
+    REQUIRE(s.farthest);
+    REQUIRE(s.worst);
+    CHECK(s.nearest->object == near);
+    CHECK(s.nearest->distance == doctest::Approx(1.8).epsilon(0.02));
+    CHECK(s.farthest->object == far);
+    CHECK(s.farthest->distance > 109);
+    // Twice the tangent of half the angle, over the rows.
+    const double slope = 2 * math::tan(make.scene.camera.angle / 2) / 240;
+    CHECK(s.nearest->pixel == doctest::Approx(s.nearest->distance * slope));
+    // Coordinates up to 10: floats from 8 to 16 are 2^-20 apart.
+    CHECK(s.nearest->step == 0x1p-20);
+    CHECK(s.worst->ulps() <= s.nearest->ulps());
+}
+
+TEST_CASE("stability: it stops when told to, after a few rays for each object") {
+    const SceneMaker make = gallery(1, {});
+    StabilityOptions options = rays(100000);
+    double last = -1;
+    options.go_on = [&last](double fraction, std::uint64_t) {
+        CHECK(fraction >= last);
+        CHECK(fraction <= 1);
+        last = fraction;
+        return fraction < 0.5;
+    };
+    const Stability part = measure_stability(make.scene, options);
+    CHECK(!part.complete);
+    CHECK(part.rays > 2000);
+    CHECK(part.rays < 6000);
+    for (const ObjectStability& entry : part.objects) CHECK(entry.rays >= 256);
+    options.go_on = {};
+    CHECK(measure_stability(make.scene, options).complete);
 }
 
 }  // namespace cobble::test

@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "ir/math/vec.hpp"
 #include "renderer/geometry/hit.hpp"
 #include "renderer/geometry/ray.hpp"
 #include "renderer/geometry/triangle.hpp"
 #include "renderer/scene/prepared_scene.hpp"
+#include "renderer/stability/stability.hpp"
 
 namespace cobble::test {
 
@@ -67,6 +69,16 @@ renderer::Hit<float> cast_by(const renderer::PreparedScene<float>& scene,
         best = {hit->t, t.object, t.face, hit->u, hit->v};
     }
     return best;
+}
+
+/// For a scene of baked triangles that was prepared for the reference: measure_stability() by a
+/// function of one ray.
+template <typename OneRay>
+void cast_with(renderer::StabilityOptions& options, OneRay one) {
+    options.acceleration = renderer::Acceleration::kBvh;
+    options.cast = [one](const auto& scene, const auto rays, const auto excludes, const auto hits) {
+        for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = one(scene, rays[i], excludes[i]);
+    };
 }
 
 }  // namespace cobble::test

@@ -45,6 +45,7 @@ int run(const Options& options, Context& context) {
     how.pixels_per_degree = options.ppd;
     how.light_a = options.light && !a.eight_bit;
     how.light_b = options.light && !b.eight_bit;
+    how.threads = 0;
     const renderer::Comparison result = renderer::compare(a.plane, b.plane, how);
     if (!result.error.empty()) {
         driver::complain(

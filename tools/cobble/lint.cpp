@@ -87,7 +87,7 @@ class Lint {
         reporter_->finish(summary_);
         if (*format == driver::ReportFormat::kHuman) {
             context_.out.flush();
-            driver::write_error(driver::to_text(summary_) + hidden_text() + "\n");
+            driver::write_error(driver::to_text(summary_) + hidden_text() + "\n" + hint());
         }
         if (failed_) return kFailure;
         return summary_.errors > 0 ? kFindings : kDone;
@@ -166,8 +166,15 @@ class Lint {
             if (finding.severity == source::Severity::kError) ++summary_.errors;
             const bool hidden = summary_.errors > options_.max_errors;
             hidden_ += hidden ? 1 : 0;
+            if (!hidden && first_code_.empty()) first_code_ = finding.code->code;
             return hidden;
         });
+    }
+
+    /// For people who do not know a code: where its page is.
+    [[nodiscard]] std::string hint() const {
+        if (first_code_.empty()) return "";
+        return "more about a code in brackets: `cobble explain " + first_code_ + "`\n";
     }
 
     [[nodiscard]] std::string hidden_text() const {
@@ -182,6 +189,7 @@ class Lint {
     driver::Summary summary_;
     std::set<std::tuple<std::string, std::string, std::uint32_t, std::string>> seen_assets_;
     std::uint64_t hidden_ = 0;
+    std::string first_code_;  ///< of what is printed
     bool fixing_;
     bool failed_ = false;
 };

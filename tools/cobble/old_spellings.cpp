@@ -7,6 +7,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "tools/cobble/option_values.hpp"
+
 namespace cobble {
 namespace {
 
@@ -14,6 +16,9 @@ struct Spelling {
     std::string_view old;
     std::size_t values;
     std::vector<std::string> (*rewrite)(const std::string* values);
+    /// Several values that become one: what they must be, in words, and whether they are.
+    std::string_view wants = {};
+    bool (*fits)(const std::string* values) = nullptr;
 };
 
 using Words = std::vector<std::string>;
@@ -26,11 +31,15 @@ std::string as_path(const std::string& path) {
 const Spelling kSpellings[] = {
     {"-input", 1, [](const std::string* v) { return Words{as_path(v[0])}; }},
     {"-output", 1, [](const std::string* v) { return Words{"--output=" + v[0]}; }},
-    {"-size", 2, [](const std::string* v) { return Words{"--size=" + v[0] + "x" + v[1]}; }},
+    {"-size", 2, [](const std::string* v) { return Words{"--size=" + v[0] + "x" + v[1]}; },
+     "a width and a height in pixels, such as 640 480",
+     [](const std::string* v) { return parse_size(v[0] + "x" + v[1]).has_value(); }},
     {"-depth", 3,
      [](const std::string* v) {
          return Words{"--depth-range=" + v[0] + "," + v[1], "--depth=" + v[2]};
-     }},
+     },
+     "MIN MAX FILE with MIN below MAX, such as 2 10 depth.png",
+     [](const std::string* v) { return parse_depth_range(v[0] + "," + v[1]).has_value(); }},
     {"-normals", 1, [](const std::string* v) { return Words{"--normals=" + v[0]}; }},
     {"-bounces", 1, [](const std::string* v) { return Words{"--bounces=" + v[0]}; }},
     {"-shadows", 0, [](const std::string*) { return Words{"--original-shadows"}; }},
@@ -82,6 +91,13 @@ std::string rewrite_old_spellings(std::vector<std::string>& arguments) {
         if (arguments.size() - i - 1 < spelling->values) {
             return fmt::format("'{}' wants {} value{}", spelling->old, spelling->values,
                                spelling->values == 1 ? "" : "s");
+        }
+        if (spelling->fits != nullptr && !spelling->fits(arguments.data() + i + 1)) {
+            std::string found;
+            for (std::size_t k = 1; k <= spelling->values; ++k) {
+                found += (k == 1 ? "" : " ") + arguments[i + k];
+            }
+            return fmt::format("'{}' wants {}, not '{}'", spelling->old, spelling->wants, found);
         }
         for (std::string& piece : spelling->rewrite(arguments.data() + i + 1)) {
             result.push_back(std::move(piece));

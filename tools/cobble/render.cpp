@@ -217,7 +217,8 @@ class Render {
         if (!options_.quiet) {
             driver::Positions positions(view_.loaded.session->sources);
             const ir::Scene& scene = view_.loaded.lowered.scene;
-            const auto notes = driver::without_checked(stats.notes, scene);
+            const auto notes =
+                driver::without_checked(stats.notes, scene, view_.loaded.diagnostics);
             driver::write_error(driver::notes_to_text(notes, scene, positions,
                                                       driver::prepared_in(scene, view_.settings)));
         }

@@ -203,6 +203,8 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
     lower.compat = view.compat;
     lower.casting = options.original_casting;
     lower.decode_srgb = options.transfer == "srgb";
+    // The published programs' ways are all traced in double.
+    lower.judge_float = view.compat == ir::Compat::kNone && options.precision == "float";
     view.loaded = driver::load_scene(options.scene, options.stdin_path, lower);
     if (view.loaded.session == nullptr) {
         give_up(kFailure, view.loaded.problem);

@@ -21,10 +21,6 @@ constexpr int kMaxTurns = 20;
 // How often fixes are tried one by one, each at the price of a lint, before what is left stays.
 constexpr int kMaxSingleTries = 200;
 
-// As many findings as the parser keeps, and the checks of one severity: from here on there may be
-// more than can be counted.
-constexpr std::size_t kMostFindings = 10000;
-
 // Two insertions at one place touch as well: their order would be a guess.
 bool touch(source::Span a, source::Span b) {
     return (a.begin < b.end && b.begin < a.end) || a.begin == b.begin;
@@ -111,7 +107,8 @@ Fixed fix_until_stable(const std::string& path, std::string text, source::FileSo
         if (count == 0) break;
         auto remaining = findings(path, changed, files, rules, scene, Session::Fixes::kUnverified);
         if (!better(diagnostics, remaining)) {
-            result.too_many = remaining.size() >= kMostFindings;
+            // From here on there may be more than can be counted.
+            result.too_many = remaining.size() >= source::kMostFindings;
             break;
         }
         result.text = std::move(changed);

@@ -5,18 +5,15 @@
 #include <fast_float/fast_float.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
+
+#include "frontend/check/single.hpp"
 
 namespace cobble::ir {
 
 inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
-/// False for what would be infinite in the renderer's single precision, and for NaN.
-inline bool fits_single(double value) {
-    return std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
-}
+using frontend::fits_single;
 
 /// Reads `[+-]?(digits[.digits?]|.digits)([eE][+-]?digits)?` at `p`; the text must be followed by a
 /// byte that is no part of a number (a std::string's final zero will do). Gives the end, or null if

@@ -23,4 +23,7 @@ Json to_json(const source::Diagnostic& diagnostic, Positions& positions);
 /// On one line; bytes that are not UTF-8 become U+FFFD.
 std::string dump(const Json& json);
 
+/// Over lines, one space a level, with a line end; else the same.
+std::string pretty(const Json& json);
+
 }  // namespace cobble::driver

@@ -7,22 +7,6 @@
 
 namespace cobble::driver {
 
-std::string_view block_name(ir::ShapeKind kind) {
-    switch (kind) {
-        case ir::ShapeKind::kSphere:
-            return "Sphere";
-        case ir::ShapeKind::kPlane:
-            return "Plane";
-        case ir::ShapeKind::kTriangle:
-            return "Triangle";
-        case ir::ShapeKind::kBox:
-            return "Box";
-        case ir::ShapeKind::kMesh:
-            return "TriangleMesh";
-    }
-    return "?";
-}
-
 source::Span face_span(const ir::Scene& scene, const ir::Object& object, std::uint32_t face) {
     if (object.kind != ir::ShapeKind::kMesh) return {};
     const ir::Mesh& mesh = scene.meshes[object.shape];

@@ -12,8 +12,7 @@
 
 namespace cobble::driver {
 
-/// The block that makes an object.
-std::string_view block_name(ir::ShapeKind kind);
+using ir::block_name;
 
 /// Where the face of a mesh stands in its OBJ file; invalid for other objects.
 source::Span face_span(const ir::Scene& scene, const ir::Object& object, std::uint32_t face);

@@ -90,7 +90,7 @@ class Writer {
                      {"complete", report_.tree.complete}};
         if (report_.whole_tree) json["rays_left_out"] = report_.tree.rays - shown;
         json["ray"] = std::move(done[0]);
-        return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+        return pretty(json);
     }
 
   private:

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <set>
+
 #include "tools/driver/report/object_words.hpp"
 
 namespace cobble::driver {
@@ -103,12 +105,24 @@ std::string_view prepared_in(const ir::Scene& scene, const renderer::Settings& s
 }
 
 std::vector<PreparationNote> without_checked(const std::vector<PreparationNote>& notes,
-                                             const ir::Scene& scene) {
+                                             const ir::Scene& scene,
+                                             const std::vector<source::Diagnostic>& diagnostics) {
+    std::set<std::uint32_t> lossy;  // where such objects begin
+    for (const source::Diagnostic& diagnostic : diagnostics) {
+        const std::string_view code = diagnostic.code->code;
+        if (code == "precision-loss" || code == "transform-ill-conditioned") {
+            lossy.insert(diagnostic.span.begin);
+        }
+    }
     std::vector<PreparationNote> rest;
     for (const PreparationNote& note : notes) {
-        const ir::ShapeKind kind = scene.objects[note.object.value].kind;
-        const bool checked = note.kind == PreparationNote::Kind::kDegenerate &&
-                             (kind == ir::ShapeKind::kTriangle || kind == ir::ShapeKind::kMesh);
+        const ir::Object& object = scene.objects[note.object.value];
+        const bool faces =
+            object.kind == ir::ShapeKind::kTriangle || object.kind == ir::ShapeKind::kMesh;
+        const bool checked = note.kind == PreparationNote::Kind::kDegenerate ? faces
+                             : note.kind == PreparationNote::Kind::kSingular
+                                 ? false
+                                 : lossy.contains(object.span.begin);
         if (!checked) rest.push_back(note);
     }
     return rest;

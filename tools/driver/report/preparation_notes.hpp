@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "frontend/source/diagnostic.hpp"
 #include "ir/scene/scene.hpp"
 #include "renderer/scene/preparation_note.hpp"
 #include "renderer/settings.hpp"
@@ -31,8 +32,10 @@ Json notes_to_json(const std::vector<renderer::PreparationNote>& notes, const ir
 /// "float" or "double": the numbers in which a scene is rendered under these settings.
 std::string_view prepared_in(const ir::Scene& scene, const renderer::Settings& settings);
 
-/// Those that the checker says nothing of: it knows triangles and faces without area.
+/// Those that the checker says nothing of: it knows triangles and faces without area, and what it
+/// says of an object's precision is among `diagnostics`.
 std::vector<renderer::PreparationNote> without_checked(
-    const std::vector<renderer::PreparationNote>& notes, const ir::Scene& scene);
+    const std::vector<renderer::PreparationNote>& notes, const ir::Scene& scene,
+    const std::vector<source::Diagnostic>& diagnostics);
 
 }  // namespace cobble::driver

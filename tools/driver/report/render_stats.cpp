@@ -72,7 +72,7 @@ std::string stats_to_json(const RenderStats& render) {
         {"notes",
          notes_to_json(stats.notes, scene, positions, prepared_in(scene, render.settings))},
         {"bad_samples", {{"count", stats.bad_sample_count}, {"first", std::move(bad)}}}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return pretty(json);
 }
 
 std::string bad_sample_text(const renderer::Stats& stats, const source::SourceMap& sources) {

@@ -60,7 +60,7 @@ class SarifReporter : public Reporter {
         const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                           {"version", "2.1.0"},
                           {"runs", Json::array({run})}};
-        sink_(log.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+        sink_(pretty(log));
     }
 
   private:

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "tools/driver/report/excerpt.hpp"
 #include "tools/driver/report/object_words.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/text.hpp"
@@ -14,10 +16,15 @@ namespace cobble::driver {
 namespace {
 
 using renderer::ObjectStability;
+using renderer::PixelPrecision;
 using renderer::StabilityFault;
 
 // A screenful: those without a fault beyond it are no worse than the last.
 constexpr std::size_t kEnough = 20;
+
+constexpr std::string_view kBold = "1";
+constexpr std::string_view kRed = "1;31";
+constexpr std::string_view kGreen = "1;32";
 
 std::string_view name_of(StabilityFault fault) {
     switch (fault) {
@@ -31,14 +38,63 @@ std::string_view name_of(StabilityFault fault) {
     return "?";
 }
 
-std::string precision_of(const ObjectStability& object) {
-    if (object.hits == 0) return "-";
-    // More than a million is plenty, however many.
-    return object.least_ulps < 1e6 ? fmt::format("{:.3g}", object.least_ulps) : "> 1e+06";
+std::string_view words_of(StabilityFault fault) {
+    return fault == StabilityFault::kChanged ? "changed hit" : name_of(fault);
 }
 
-std::string counted(std::uint64_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+// Their number does not matter where there are very many.
+std::string steps_text(double ulps) { return ulps < 1e6 ? fmt::format("{:.3g}", ulps) : "> 1e+06"; }
+
+struct Faults {
+    std::uint64_t cracks = 0, changed = 0, self_hits = 0;
+
+    void add(const ObjectStability& object) {
+        cracks += object.cracks;
+        changed += object.changed;
+        self_hits += object.self_hits;
+    }
+    [[nodiscard]] bool any() const { return cracks + changed + self_hits > 0; }
+    /// All three, or those that there are.
+    [[nodiscard]] std::string text(bool all) const {
+        std::string words;
+        const auto add = [&](std::uint64_t count, std::string_view what) {
+            if (count == 0 && !all) return;
+            if (!words.empty()) words += ", ";
+            words += counted(count, what);
+        };
+        add(cracks, "crack");
+        add(changed, "changed hit");
+        add(self_hits, "self-hit");
+        return words;
+    }
+};
+
+Faults faults_of(const renderer::Stability& stability) {
+    Faults faults;
+    for (const ObjectStability& object : stability.objects) faults.add(object);
+    return faults;
+}
+
+/// What an object's faults are and where the first of them is, with its line.
+std::string fault_text(const StabilityReport& report, const ObjectStability& entry,
+                       Positions& positions, const ReportStyle& style) {
+    const ir::Object& object = report.scene.objects[entry.object.value];
+    Faults faults;
+    faults.add(entry);
+    const math::Vec3d p = entry.example->position;
+    const std::string face =
+        place_of(face_span(report.scene, object, entry.example->face), positions);
+    const std::string place = place_of(object.span, positions);
+    std::string text =
+        fmt::format("{}{}{}: {}\n", painted(kBold, place, style), place.empty() ? "" : ": ",
+                    painted(kRed, faults.text(false), style),
+                    painted(kBold,
+                            fmt::format("on the {}, the first (a {}) at {:.9g} {:.9g} {:.9g}{}{}",
+                                        block_name(object.kind), words_of(entry.example->fault),
+                                        p.x, p.y, p.z, face.empty() ? "" : ", face ", face),
+                            style));
+    if (object.span.valid()) text += excerpt_of(object.span, positions, style, kRed);
+    return text;
 }
 
 std::string table(const StabilityReport& report, Positions& positions) {
@@ -47,45 +103,70 @@ std::string table(const StabilityReport& report, Positions& positions) {
                                    "cracks", "changed", "self-hits", "ulps/pixel", "object");
     std::size_t shown = 0;
     for (const ObjectStability& entry : objects) {
-        if (shown >= kEnough && entry.faults() == 0) break;
+        if (shown >= kEnough) break;
         ++shown;
         const ir::Object& object = report.scene.objects[entry.object.value];
         text += fmt::format("{:>7} {:>7} {:>7} {:>8} {:>10} {:>11}  {}\n", entry.rays, entry.hits,
-                            entry.cracks, entry.changed, entry.self_hits, precision_of(entry),
+                            entry.cracks, entry.changed, entry.self_hits,
+                            entry.hits == 0 ? "-" : steps_text(entry.least_ulps),
                             named(block_name(object.kind), object.label, object.span, positions));
-        if (!entry.example) continue;
-        const math::Vec3d p = entry.example->position;
-        const std::string face =
-            place_of(face_span(report.scene, object, entry.example->face), positions);
-        text += fmt::format("{:8}first {} at {:.9g} {:.9g} {:.9g}{}{}\n", "",
-                            name_of(entry.example->fault), p.x, p.y, p.z,
-                            face.empty() ? "" : ", face ", face);
     }
     if (shown < objects.size()) {
-        text += fmt::format("and {} with no more to say (--json has all)\n",
+        text += fmt::format("and {}, none of them worse (--format json has all)\n",
                             counted(objects.size() - shown, "object"));
     }
     return text;
 }
 
-std::string summary(const StabilityReport& report) {
-    const auto& objects = report.stability.objects;
-    std::uint64_t cracks = 0;
-    std::uint64_t changed = 0;
-    std::uint64_t self_hits = 0;
-    std::uint64_t few = 0;
-    std::uint64_t unseen = 0;
-    for (const ObjectStability& object : objects) {
-        cracks += object.cracks;
-        changed += object.changed;
-        self_hits += object.self_hits;
-        few += object.least_ulps < renderer::kFewUlps ? 1 : 0;
-        unseen += object.hits == 0 ? 1 : 0;
+std::string precision(const StabilityReport& report, Positions& positions) {
+    const renderer::Stability& s = report.stability;
+    std::string text =
+        fmt::format("steps of float across a pixel of {}x{}\n", report.width, report.height);
+    const auto line = [&](std::string_view name, const std::optional<PixelPrecision>& at) {
+        if (!at) return;
+        const ir::Object& object = report.scene.objects[at->object.value];
+        text += fmt::format("  {:<13} {:>8}  (it is {:.3g} wide, {:.3g} from the camera)  {}\n",
+                            name, steps_text(at->ulps()), at->pixel, at->distance,
+                            named(block_name(object.kind), object.label, object.span, positions));
+    };
+    line("nearest hit", s.nearest);
+    line("farthest hit", s.farthest);
+    line("worst feature", s.worst);
+    return s.worst ? text : "";
+}
+
+std::string changes(const renderer::PrimitiveChanges& c) {
+    if (c.rays == 0) return "";
+    std::string text = fmt::format(
+        "float and double name different things along {}, at edges and outlines, within rounding;\n"
+        "reckoned with 106 binary digits, double is right along {}, float along {}, both along {}",
+        counted(c.rays, "ray"), c.for_double, c.for_float, c.for_both);
+    if (c.open > 0) text += fmt::format(", and {} stay open", c.open);
+    return text + "\n";
+}
+
+struct Shortcomings {
+    std::uint64_t few = 0, unseen = 0;
+};
+
+Shortcomings shortcomings_of(const renderer::Stability& stability) {
+    Shortcomings sum;
+    for (const ObjectStability& object : stability.objects) {
+        sum.few += object.least_ulps < renderer::kFewUlps ? 1 : 0;
+        sum.unseen += object.hits == 0 ? 1 : 0;
     }
-    std::string text = fmt::format("{}: {}, {}x{}: {}, {}, {}\n", printable(report.path),
-                                   counted(report.stability.rays, "ray"), report.width,
-                                   report.height, counted(cracks, "crack"),
-                                   counted(changed, "changed hit"), counted(self_hits, "self-hit"));
+    return sum;
+}
+
+std::uint64_t rays_of(const renderer::Stability& s) {
+    return s.rays + s.picture_rays + s.departures;
+}
+
+std::string summary(const StabilityReport& report, const ReportStyle& style) {
+    const renderer::Stability& s = report.stability;
+    const Faults faults = faults_of(s);
+    const auto [few, unseen] = shortcomings_of(s);
+    std::string text;
     if (few > 0) {
         text += fmt::format(
             "{} with pixels of less than {} ulps of float: it has too few digits "
@@ -96,50 +177,112 @@ std::string summary(const StabilityReport& report) {
         text += fmt::format("{} that no ray hit: hidden from the camera, or not there in float\n",
                             counted(unseen, "object"));
     }
+    if (!s.complete) text += "stopped before all rays were cast: what was found until then\n";
+    text += fmt::format("{}: {}, {}x{}: {}\n", printable(report.path), counted(rays_of(s), "ray"),
+                        report.width, report.height,
+                        painted(faults.any() ? kRed : kGreen, faults.text(true), style));
     return text;
+}
+
+Json precision_json(const std::optional<PixelPrecision>& at, const ir::Scene& scene,
+                    Positions& positions) {
+    if (!at) return nullptr;
+    return {{"ulps_per_pixel", at->ulps()},
+            {"pixel", at->pixel},
+            {"distance", at->distance},
+            {"position", Json::array({at->position.x, at->position.y, at->position.z})},
+            {"object", object_json(scene, at->object, positions)}};
+}
+
+Json object_entry(const StabilityReport& report, const ObjectStability& entry,
+                  Positions& positions) {
+    const ir::Object& object = report.scene.objects[entry.object.value];
+    Json json = {{"object", object_json(report.scene, entry.object, positions)},
+                 {"closed", object.kind == ir::ShapeKind::kMesh ? Json(entry.closed) : nullptr},
+                 {"rays", entry.rays},
+                 {"hits", entry.hits},
+                 {"cracks", entry.cracks},
+                 {"changed", entry.changed},
+                 {"self_hits", entry.self_hits},
+                 {"least_ulps_per_pixel", nullptr}};
+    if (entry.hits > 0) json["least_ulps_per_pixel"] = entry.least_ulps;
+    if (!entry.example) return json;
+    const math::Vec3d p = entry.example->position;
+    Json first = {{"kind", name_of(entry.example->fault)},
+                  {"position", Json::array({p.x, p.y, p.z})}};
+    const source::Span face = face_span(report.scene, object, entry.example->face);
+    if (face.valid()) {
+        first["face"] = {{"index", entry.example->face}, {"at", place_json(face, positions)}};
+    }
+    json["first_fault"] = std::move(first);
+    return json;
 }
 
 }  // namespace
 
-std::string stability_to_text(const StabilityReport& report) {
-    Positions positions(report.sources);
-    return table(report, positions) +
-           notes_to_text(report.stability.notes, report.scene, positions, "float") +
-           summary(report);
+std::string counted(std::uint64_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string stability_to_json(const StabilityReport& report) {
+std::string stability_to_text(const StabilityReport& report, const ReportStyle& style) {
     Positions positions(report.sources);
-    Json objects = Json::array();
+    std::string text;
+    std::size_t shown = 0;
     for (const ObjectStability& entry : report.stability.objects) {
-        Json json = {{"object", object_json(report.scene, entry.object, positions)},
-                     {"rays", entry.rays},
-                     {"hits", entry.hits},
-                     {"cracks", entry.cracks},
-                     {"changed", entry.changed},
-                     {"self_hits", entry.self_hits},
-                     {"least_ulps_per_pixel", nullptr}};
-        if (entry.hits > 0) json["least_ulps_per_pixel"] = entry.least_ulps;
-        if (entry.example) {
-            const math::Vec3d p = entry.example->position;
-            Json first = {{"kind", name_of(entry.example->fault)},
-                          {"position", Json::array({p.x, p.y, p.z})}};
-            const source::Span face = face_span(
-                report.scene, report.scene.objects[entry.object.value], entry.example->face);
-            if (face.valid()) {
-                first["face"] = {{"index", entry.example->face},
-                                 {"at", place_json(face, positions)}};
-            }
-            json["first_fault"] = std::move(first);
-        }
-        objects.push_back(std::move(json));
+        if (!entry.example || ++shown > kEnough) break;
+        text += fault_text(report, entry, positions, style);
     }
-    Json notes = notes_to_json(report.stability.notes, report.scene, positions, "float");
-    const Json json = {
-        {"cobble_stability", 1},         {"size", Json::array({report.width, report.height})},
-        {"rays", report.stability.rays}, {"clean", report.stability.clean()},
-        {"objects", std::move(objects)}, {"notes", std::move(notes)}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text + table(report, positions) + precision(report, positions) +
+           changes(report.stability.changes) +
+           notes_to_text(report.stability.notes, report.scene, positions, "float") +
+           summary(report, style);
+}
+
+std::string stability_line(const StabilityReport& report) {
+    const renderer::Stability& s = report.stability;
+    const Faults faults = faults_of(s);
+    const auto [few, unseen] = shortcomings_of(s);
+    std::string text =
+        fmt::format("{}: {}, {}", printable(report.path),
+                    faults.any() ? faults.text(false) : "sound", counted(rays_of(s), "ray"));
+    if (s.worst) {
+        text += fmt::format(", a pixel is {} steps of float at least", steps_text(s.worst->ulps()));
+    }
+    if (few > 0) text += fmt::format(", {} with too few digits", counted(few, "object"));
+    if (!s.notes.empty()) {
+        text += fmt::format(", {} lost by float", counted(s.notes.size(), "object"));
+    }
+    if (!s.complete) text += ", stopped early";
+    return text + "\n";
+}
+
+Json stability_to_json(const StabilityReport& report) {
+    Positions positions(report.sources);
+    const renderer::Stability& s = report.stability;
+    Json objects = Json::array();
+    for (const ObjectStability& entry : s.objects) {
+        objects.push_back(object_entry(report, entry, positions));
+    }
+    return {{"cobble_stability", 1},
+            {"path", report.path},
+            {"size", Json::array({report.width, report.height})},
+            {"rays", s.rays},
+            {"picture_rays", s.picture_rays},
+            {"departures", s.departures},
+            {"clean", s.clean()},
+            {"complete", s.complete},
+            {"precision",
+             {{"nearest", precision_json(s.nearest, report.scene, positions)},
+              {"farthest", precision_json(s.farthest, report.scene, positions)},
+              {"worst", precision_json(s.worst, report.scene, positions)}}},
+            {"primitive_changes",
+             {{"rays", s.changes.rays},
+              {"for_double", s.changes.for_double},
+              {"for_float", s.changes.for_float},
+              {"for_both", s.changes.for_both},
+              {"open", s.changes.open}}},
+            {"objects", std::move(objects)},
+            {"notes", notes_to_json(s.notes, report.scene, positions, "float")}};
 }
 
 }  // namespace cobble::driver

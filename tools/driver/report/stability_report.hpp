@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a scene stands up to float, for people and as JSON.
+// How scenes stand up to float, for people and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,8 @@
 #include "frontend/source/source_map.hpp"
 #include "ir/scene/scene.hpp"
 #include "renderer/stability/stability.hpp"
+#include "tools/driver/report/diagnostic_json.hpp"
+#include "tools/driver/report/reporter.hpp"
 
 namespace cobble::driver {
 
@@ -20,12 +22,19 @@ struct StabilityReport {
     std::uint32_t width = 0, height = 0;
 };
 
-/// A table of objects, worst first, cut after those that matter; the first fault of each that has
-/// one; notes; a sentence to sum up.
-std::string stability_to_text(const StabilityReport& report);
+/// The objects with faults, each with its line; a table of objects, worst first, cut after those
+/// that matter; how much precision is left; notes; a sentence to sum up.
+std::string stability_to_text(const StabilityReport& report, const ReportStyle& style);
 
-/// {"cobble_stability": 1, "size": [w, h], "rays": N, "clean": B, "objects": [...],
+/// "PATH: sound, 5073 rays, a pixel is 2.5e+04 steps of float at least", in one line.
+std::string stability_line(const StabilityReport& report);
+
+/// {"cobble_stability": 1, "path": P, "size": [w, h], "rays": N, "clean": B, "complete": B,
+/// "precision": {"nearest", "farthest", "worst"}, "primitive_changes": {...}, "objects": [...],
 /// "notes": [...]}: every object, worst first.
-std::string stability_to_json(const StabilityReport& report);
+Json stability_to_json(const StabilityReport& report);
+
+/// "1 ray", "12 rays".
+std::string counted(std::uint64_t count, std::string_view what);
 
 }  // namespace cobble::driver

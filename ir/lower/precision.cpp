@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+#include "ir/lower/precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "ir/math/elementary.hpp"
+#include "ir/math/inverse.hpp"
+#include "ir/math/narrow.hpp"
+#include "ir/scene/bounds.hpp"
+
+namespace cobble::ir {
+namespace {
+
+using math::BoxBounds;
+using math::Vec3d;
+
+const source::DiagnosticCode kPrecisionLoss{
+    "precision-loss",
+    source::Severity::kWarning,
+    "float cannot resolve an object where it stands",
+    "Scenes are rendered in float, of 24 binary digits, after the coordinates are made relative to "
+    "a point near the camera. That helps a scene that is far from zero as a whole, but not one "
+    "that is wide: a million away from that point neighbouring floats are 0.0625 apart. What is "
+    "smaller than a few such steps loses its shape or is not there at all, and where a pixel is "
+    "smaller than one, shading and shadows are noise. Beyond 1.3e36 float cannot reckon.",
+    "PerspectiveCamera {\n    center 0 0 5\n    direction 0 0 -1\n    up 0 1 0\n    angle 40\n}\n"
+    "Materials {\n    Material { diffuseColor 0.8 0.2 0.1 }\n}\n"
+    "Group {\n    MaterialIndex 0\n    Sphere {\n        center 0 0 0\n        radius 1\n    }\n"
+    "    Triangle {\n        vertex0 1000000.3 0 0\n        vertex1 1000000.301 0 0\n"
+    "        vertex2 1000000.3 1 0\n    }\n}\n",
+    "Render with `--precision double`, whose steps are half a billion times smaller, or bring the "
+    "parts of the scene closer to each other."};
+
+// A screenful; a scene of which more is lost has one thing wrong with it.
+constexpr std::size_t kMostFindings = 20;
+// Shapes that are moved by less keep three quarters of their width.
+constexpr double kLostShare = 0.25;
+// Of all meshes together: some 50 ms.
+constexpr std::size_t kMostFaces = std::size_t{1} << 20;
+// The height of a picture that is not said, and its widest form that is common.
+constexpr double kRows = 480;
+constexpr double kWidestForm = 16.0 / 9;
+// Decimals narrowed to double leave flat what is as flat as this, relative to the coordinates: the
+// checker's measure of triangles without area.
+constexpr double kFlat = 16 * 0x1p-53;
+
+double largest(Vec3d p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+
+/// How far narrowing moves a point.
+Vec3d narrowing(Vec3d p) { return p.to<float>().to<double>() - p; }
+
+std::string number(double x) { return fmt::format("{:.3g}", x); }
+
+/// Something that has a width, and what float does to it.
+struct Feature {
+    double width = 0;
+    double reach = 0;  ///< its largest coordinate, relative to the local origin
+    double moved = 0;  ///< by narrowing
+
+    [[nodiscard]] double lost() const { return moved / width; }
+};
+
+/// A place in the picture.
+struct Place {
+    double pixel = 0;  ///< its width there
+    double reach = 0;  ///< the largest coordinate of it and of the camera
+
+    [[nodiscard]] double step() const { return double{math::step_at<float>(reach)}; }
+    [[nodiscard]] double steps() const { return pixel / step(); }
+};
+
+struct Loss {
+    std::optional<Feature> feature;
+    std::optional<Place> place;
+    bool out_of_range = false;
+    std::size_t lost_faces = 0, faces = 0;  ///< of those of a mesh that were looked at
+};
+
+class Precision {
+  public:
+    explicit Precision(const Scene& scene)
+        : scene_(scene),
+          bounds_(scene),
+          origin_(math::grid_origin(bounds_.all(), scene.camera.center)),
+          eye_(scene.camera.center - origin_),
+          slope_(math::tan(scene.camera.angle / 2)),
+          meshes_(std::count_if(
+              scene.objects.begin(), scene.objects.end(),
+              [](const Object& object) { return object.kind == ShapeKind::kMesh; })) {}
+
+    std::vector<source::Diagnostic> run() {
+        std::vector<source::Diagnostic> found;
+        std::size_t more = 0;
+        for (const Object& object : scene_.objects) {
+            if (object.kind == ShapeKind::kPlane) continue;
+            const Loss loss = measure(object);
+            if (!loss.out_of_range && !loss.feature && !loss.place) continue;
+            if (found.size() < kMostFindings) {
+                found.push_back(describe(object, loss));
+            } else {
+                ++more;
+            }
+        }
+        if (more > 0) {
+            found.back().notes.push_back(fmt::format("float loses {} more object{} of the scene",
+                                                     more, more == 1 ? "" : "s"));
+        }
+        return found;
+    }
+
+  private:
+    // --- Measuring ---
+
+    Loss measure(const Object& object) {
+        Loss loss;
+        const bool placed = object.placement.count > 0;
+        // An instance is reckoned with in its own space.
+        const BoxBounds<double> box = placed ? bounds_.shape(object) : bounds_.world(object);
+        if (box.empty()) return loss;
+        const Vec3d middle = placed ? (box.lo + box.hi) * 0.5 : origin_;
+        if (std::max(largest(box.lo - middle), largest(box.hi - middle)) >
+            double{math::kLargestCoordinate<float>}) {
+            loss.out_of_range = true;
+            return loss;
+        }
+        const Placement place = placed ? scene_.placements[object.placement.first] : Placement{};
+        // Told as a transform that is ill-conditioned.
+        if (math::condition(place.object_to_world, place.world_to_object) > kWorstCondition) {
+            return loss;
+        }
+        const math::Affined& map = place.object_to_world;
+        switch (object.kind) {
+            case ShapeKind::kSphere:
+                sphere(scene_.spheres[object.shape].keys[0], map, placed, loss);
+                break;
+            case ShapeKind::kBox:
+                this->box(scene_.boxes[object.shape], map, placed, loss);
+                break;
+            case ShapeKind::kTriangle:
+                triangle(scene_.triangles[object.shape].keys[0], map, placed, loss);
+                break;
+            case ShapeKind::kMesh:
+                mesh(scene_.meshes[object.shape], map, placed, loss);
+                break;
+            case ShapeKind::kPlane:
+                break;
+        }
+        return loss;
+    }
+
+    /// Under a matrix a ray is mapped by numbers of float, which moves all by about a step.
+    static double moved_at(double reach, Vec3d narrowed, bool placed) {
+        return placed ? double{math::step_at<float>(reach)} : length(narrowed);
+    }
+
+    void sphere(const Sphere::Key& key, const math::Affined& map, bool placed, Loss& loss) const {
+        const Vec3d center = map.point(key.center) - origin_;
+        double thinnest = std::numeric_limits<double>::infinity();
+        for (std::size_t j = 0; j < 3; ++j) thinnest = std::min(thinnest, length(column(map, j)));
+        const double radius = key.radius * thinnest;
+        Feature feature{2 * radius, largest(center) + radius, 0};
+        feature.moved = moved_at(feature.reach, narrowing(center), placed);
+        keep(feature, loss);
+        const Vec3d way = eye_ - center;
+        const double distance = length(way);
+        if (distance > radius) look(center + way * (radius / distance), loss);
+    }
+
+    void box(const Box& box, const math::Affined& map, bool placed, Loss& loss) const {
+        const Vec3d low = map.point(box.min) - origin_;
+        const Vec3d high = map.point(box.max) - origin_;
+        for (std::size_t i = 0; i < 3; ++i) {
+            // A side along an axis is as good as the coordinates on that axis.
+            Feature feature{(box.max[i] - box.min[i]) * length(column(map, i)),
+                            std::max(std::fabs(low[i]), std::fabs(high[i])),
+                            std::fabs(narrowing(low)[i]) + std::fabs(narrowing(high)[i])};
+            if (placed) {
+                feature.reach = std::max(largest(low), largest(high));
+                feature.moved = moved_at(feature.reach, {}, placed);
+            }
+            keep(feature, loss);
+        }
+        for (unsigned i = 0; i < 8; ++i) {
+            look(map.point({(i & 1U) != 0 ? box.max.x : box.min.x,
+                            (i & 2U) != 0 ? box.max.y : box.min.y,
+                            (i & 4U) != 0 ? box.max.z : box.min.z}) -
+                     origin_,
+                 loss);
+        }
+        if (placed) return;
+        Vec3d near = eye_;
+        for (std::size_t i = 0; i < 3; ++i) near[i] = std::clamp(near[i], low[i], high[i]);
+        look(near, loss);
+    }
+
+    void triangle(std::array<Vec3d, 3> v, const math::Affined& map, bool placed, Loss& loss) const {
+        Feature feature;
+        double size = 0;
+        for (Vec3d& p : v) {
+            p = map.point(p);
+            size = std::max(size, largest(p));
+            p = p - origin_;
+            feature.reach = std::max(feature.reach, largest(p));
+        }
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            longest = std::max(longest, length(v[(i + 1) % 3] - v[i]));
+            feature.moved =
+                std::max(feature.moved, moved_at(feature.reach, narrowing(v[i]), placed));
+            look(v[i], loss);
+        }
+        look((v[0] + v[1] + v[2]) / 3.0, loss);
+        const double area = length(cross(v[1] - v[0], v[2] - v[0]));
+        // Without an area there is nothing to lose, and others tell of it.
+        if (!(area > kFlat * (size * longest))) return;
+        feature.width = area / longest;
+        keep(feature, loss);
+    }
+
+    void mesh(const Mesh& mesh, const math::Affined& map, bool placed, Loss& loss) const {
+        const std::size_t share = std::max<std::size_t>(8, kMostFaces / meshes_);
+        const std::size_t stride = (mesh.faces.size() + share - 1) / share;
+        std::optional<Feature> worst;
+        for (std::size_t f = 0; f < mesh.faces.size(); f += stride) {
+            const auto& c = mesh.faces[f].corners;
+            Loss of_face;
+            of_face.place = loss.place;
+            triangle({mesh.positions[c[0].position], mesh.positions[c[1].position],
+                      mesh.positions[c[2].position]},
+                     map, placed, of_face);
+            loss.place = of_face.place;
+            ++loss.faces;
+            if (!of_face.feature) continue;
+            ++loss.lost_faces;
+            if (!worst || of_face.feature->lost() > worst->lost()) worst = of_face.feature;
+        }
+        // Slivers are common in meshes, and little is lost with them.
+        if (2 * loss.lost_faces >= loss.faces) loss.feature = worst;
+    }
+
+    static Vec3d column(const math::Affined& map, std::size_t j) {
+        return {map.rows[0][j], map.rows[1][j], map.rows[2][j]};
+    }
+
+    static void keep(const Feature& feature, Loss& loss) {
+        if (!(feature.lost() >= kLostShare)) return;
+        if (!loss.feature || feature.lost() > loss.feature->lost()) loss.feature = feature;
+    }
+
+    /// Keeps the place with the fewest steps a pixel, if that is less than one.
+    void look(Vec3d p, Loss& loss) const {
+        const Vec3d way = p - eye_;
+        const double depth = dot(way, scene_.camera.forward);
+        if (!(depth > 0) || !(std::fabs(dot(way, scene_.camera.up)) <= depth * slope_) ||
+            !(std::fabs(dot(way, scene_.camera.right)) <= depth * slope_ * kWidestForm)) {
+            return;
+        }
+        const Place place{length(way) * (2 * slope_ / kRows), std::max(largest(p), largest(eye_))};
+        if (!(place.steps() < 1)) return;
+        if (!loss.place || place.steps() < loss.place->steps()) loss.place = place;
+    }
+
+    // --- Telling ---
+
+    source::Diagnostic describe(const Object& object, const Loss& loss) {
+        source::Diagnostic finding;
+        finding.code = &kPrecisionLoss;
+        finding.severity = kPrecisionLoss.severity;
+        const std::string_view name = block_name(object.kind);
+        finding.span = object.span;
+        finding.span.end = std::min(finding.span.end,
+                                    finding.span.begin + static_cast<std::uint32_t>(name.size()));
+        const double size = largest_coordinate(object);
+        if (loss.out_of_range) {
+            finding.message =
+                fmt::format("the {} reaches {}, and float reckons with numbers up to {} only", name,
+                            number(size), number(double{math::kLargestCoordinate<float>}));
+            finding.notes.emplace_back("no ray hits it; '--precision double' renders it");
+            return finding;
+        }
+        const double reach = loss.feature ? loss.feature->reach : loss.place->reach;
+        const double step = double{math::step_at<float>(reach)};
+        const double step_of_double = math::step_at<double>(std::max(size, reach));
+        if (loss.feature) {
+            const bool many = object.kind == ShapeKind::kMesh;
+            finding.message = fmt::format(
+                "{} {} is {} wide at {} from the local origin, where neighbouring floats are {} "
+                "apart",
+                many ? "a face of the" : "the", name, number(loss.feature->width), number(reach),
+                number(step));
+            finding.notes.push_back(what_is_kept(*loss.feature));
+            if (many) {
+                finding.notes.push_back(fmt::format("so it goes for {} of {} faces looked at",
+                                                    loss.lost_faces, loss.faces));
+            }
+            add_mend(finding, loss.feature->width / step_of_double, step_of_double);
+        } else {
+            finding.message = fmt::format(
+                "a pixel of the {} is {} wide at {} from the local origin, where neighbouring "
+                "floats are {} apart",
+                name, number(loss.place->pixel), number(reach), number(step));
+            finding.notes.emplace_back(
+                "points of neighbouring pixels are one: its outline, shading and shadows go in steps");
+            add_mend(finding, loss.place->pixel / step_of_double, step_of_double);
+        }
+        finding.notes.push_back(
+            fmt::format("the local origin is {} {} {}: a point near the camera, "
+                        "of a grid as coarse as the scene is wide",
+                        number(origin_.x), number(origin_.y), number(origin_.z)));
+        add_widest(finding, object, reach);
+        return finding;
+    }
+
+    static std::string what_is_kept(const Feature& feature) {
+        if (feature.lost() >= 1) {
+            return fmt::format("float moves it by up to {}: it keeps nothing of this width",
+                               number(feature.moved));
+        }
+        return fmt::format("float moves it by up to {}: it keeps {:.0f} % of this width",
+                           number(feature.moved), std::floor(100 * (1 - feature.lost())));
+    }
+
+    static void add_mend(source::Diagnostic& finding, double steps, double step) {
+        if (steps >= 1 / kLostShare) {
+            finding.notes.push_back(
+                fmt::format("'--precision double' resolves it: neighbouring doubles are {} apart",
+                            number(step)));
+        } else {
+            finding.notes.push_back(
+                fmt::format("doubles, {} apart, do not resolve it either: bring the parts of the "
+                            "scene closer together",
+                            number(step)));
+        }
+    }
+
+    /// Names the object that reaches farthest from the camera, if that makes the scene so wide that
+    /// numbers at this one, near the camera, are large.
+    void add_widest(source::Diagnostic& finding, const Object& object, double reach) {
+        // Numbers that are so many times as large as they need be.
+        constexpr double kMuchFarther = 16;
+        if (!widest_) {
+            double most = 0;
+            widest_ = &object;
+            for (const Object& other : scene_.objects) {
+                const double far = reach_from_camera(other);
+                if (!(far > most)) continue;
+                most = far;
+                widest_ = &other;
+            }
+        }
+        const double most = reach_from_camera(**widest_);
+        if (*widest_ == &object || reach < kMuchFarther * reach_from_camera(object)) return;
+        finding.related.push_back(
+            {(*widest_)->span, fmt::format("the scene is so wide because of this {}, which reaches "
+                                           "{} from the camera",
+                                           block_name((*widest_)->kind), number(most))});
+    }
+
+    double reach_from_camera(const Object& object) {
+        const BoxBounds<double> box = bounds_.world(object);
+        if (box.empty()) return 0;
+        const Vec3d center = scene_.camera.center;
+        return std::max(largest(box.lo - center), largest(box.hi - center));
+    }
+
+    double largest_coordinate(const Object& object) {
+        const BoxBounds<double> box = bounds_.world(object);
+        return std::max(largest(box.lo), largest(box.hi));
+    }
+
+    const Scene& scene_;
+    SceneBounds bounds_;
+    Vec3d origin_;
+    Vec3d eye_;  ///< local
+    double slope_;
+    std::size_t meshes_;
+    std::optional<const Object*> widest_;
+};
+
+}  // namespace
+
+std::vector<source::Diagnostic> precision_findings(const Scene& scene) {
+    if (scene.objects.empty()) return {};
+    return Precision(scene).run();
+}
+
+}  // namespace cobble::ir
