@@ -9,6 +9,7 @@
 
 #include "renderer/integrator/batch_shading.hpp"
 #include "renderer/integrator/ray_batch.hpp"
+#include "renderer/integrator/seams.hpp"
 
 namespace cobble::renderer {
 
@@ -32,6 +33,11 @@ class BatchStages {
                 }
                 break;
             case Stage::kLook:
+                if (scene_->seams) {
+                    for (std::size_t i = 0; i < rays_.size(); ++i) {
+                        cross_seams(*scene_, rays_.rays[i], hits_[i]);
+                    }
+                }
                 shading_.look(rays_, std::span<const Hit<T>>(hits_).first(rays_.size()));
                 light_ = 0;
                 stage_ =

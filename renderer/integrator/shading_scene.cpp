@@ -53,6 +53,23 @@ std::uint64_t ShadingScene<T>::bytes() const {
            lights.size() * sizeof(PreparedLight);
 }
 
+namespace {
+
+/// Two bodies with flat faces are what it takes.
+template <typename T>
+bool may_touch(const ShadingScene<T>& scene) {
+    if (!scene.effects.refraction) return false;
+    int bodies = 0;
+    for (const ir::Object& object : scene.source->objects) {
+        const bool flat = object.kind == ir::ShapeKind::kBox || object.kind == ir::ShapeKind::kMesh;
+        if (flat && scene.material(object.material).refraction_index > T(0)) ++bodies;
+        if (bodies == 2) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 template <typename T>
 ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings,
                                 const std::atomic<bool>* cancelled) {
@@ -89,6 +106,7 @@ ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings
     if (effects.environment && scene.background.cube_map.valid()) {
         result.sky = &scene.cube_maps[scene.background.cube_map.value];
     }
+    result.seams = may_touch(result);
     return result;
 }
 

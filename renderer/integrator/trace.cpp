@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/integrator/trace.hpp"
 
+#include "renderer/integrator/seams.hpp"
 #include "renderer/sampling/mappings.hpp"
 
 namespace cobble::renderer {
@@ -61,6 +62,7 @@ Shaded<T> shade(const ShadingScene<T>& scene, const Sampler& sampler, const Trac
     Shaded<T> result;
     count(counters, ray.kind);
     result.met.hit = closest_hit(scene.geometry, ray.ray, ray.exclude, counters);
+    cross_seams(scene, ray.ray, result.met.hit);
     meet(scene, ray.ray, result.met);
     if (result.met.lit()) shine(scene, sampler, ray, result.met, counters, seen);
     result.color = color_of(scene, ray.ray, result.met);
