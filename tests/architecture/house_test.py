@@ -18,6 +18,8 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+from report import report
+
 # A header that stands for each library, and the libraries that each one may see.
 PROBES = {
     "source": "frontend/source/span.hpp",
@@ -226,15 +228,7 @@ def main():
     checks = [("self-test", self_test())]
     checks += [(check.__name__, check(root)) for check in STATIC_CHECKS]
     checks.append(("check_walls", check_walls(root, build)))
-    failed = 0
-    for name, findings in checks:
-        findings = list(findings)
-        failed += bool(findings)
-        print(f"{'FAILED' if findings else 'ok':6} {name}")
-        for line in findings:
-            print(f"       {line}")
-    print(f"test cases: {len(checks)} | {len(checks) - failed} passed | {failed} failed")
-    return 1 if failed else 0
+    return report(checks)
 
 
 if __name__ == "__main__":
