@@ -7,7 +7,10 @@
 
 #include "renderer/geometry/bounds.hpp"
 #include "renderer/geometry/triangle.hpp"
-#include "tests/hard/scenes.hpp"
+#include "tests/hard/aims.hpp"
+#include "tests/hard/cores.hpp"
+#include "tests/hard/record.hpp"
+#include "tests/hard/wrong_shapes.hpp"
 
 namespace cobble::test {
 
@@ -30,16 +33,23 @@ ir::Scene lattice() {
     return make.scene;
 }
 
-template <typename T>
-void along_axes() {
-    const ir::Scene scene = lattice();
-    const auto prepared = renderer::prepare<T>(scene);
-    Random random(4);
+struct AlongAxes {
     int hits = 0;
-    int wrong = 0;
+    int wrong = 0;  ///< that `cast` answers unlike brute force, or far from where it is
+};
+
+/// Rays along the axes, in slab planes and on edges, with zeros of both signs and numbers that are
+/// almost zeros in the direction.
+template <typename T, typename Cast>
+AlongAxes along_axes(int count, Cast cast) {
+    const ir::Scene scene = lattice();
+    Questions<T> cores(scene);
+    const auto& prepared = cores.reference;
+    Random random(4);
+    AlongAxes result;
     const T tiny[] = {0, T(-0.0), std::numeric_limits<T>::denorm_min(),
                       -std::numeric_limits<T>::denorm_min(), std::numeric_limits<T>::min()};
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < count; ++i) {
         renderer::Ray<T> r;
         for (std::size_t k = 0; k < 3; ++k) {
             // On a slab plane, in the middle, or somewhere.
@@ -56,26 +66,41 @@ void along_axes() {
         if (random.below(2) == 0) {
             r.origin[axis] = static_cast<T>((up ? -2.0 : 5.0) - prepared.origin[axis]);
         }
-        renderer::Hit<T> hit;
-        if (!tree_agrees(prepared, r, {}, &hit)) ++wrong;
+        const auto right = cores.ask(r);
+        const renderer::Hit<T> hit = cast(prepared, r);
+        if (!same(hit, right)) ++result.wrong;
         if (!hit) continue;
-        ++hits;
-        if (!(hit.t > 0 && hit.t < 10)) ++wrong;
+        ++result.hits;
+        if (!(hit.t > 0 && hit.t < 10)) ++result.wrong;
         const auto s = surface_at(prepared, r, hit);
         for (std::size_t k = 0; k < 3; ++k) {
             const T end = r.origin[k] + r.direction[k] * hit.t;
-            if (!(std::fabs(s.position[k] - end) < T(1e-5))) ++wrong;
+            if (!(std::fabs(s.position[k] - end) < T(1e-5))) ++result.wrong;
         }
     }
-    CHECK(wrong == 0);
-    CHECK(hits > 10000);
+    CHECK(cores.differences() == "");
+    return result;
 }
 
 }  // namespace
 
 TEST_CASE("rows 4 and 5: rays along box edges and in slab planes, with zeros of either sign") {
-    along_axes<float>();
-    along_axes<double>();
+    const AlongAxes f = along_axes<float>(10000, kByTree);
+    const AlongAxes d = along_axes<double>(10000, kByTree);
+    CHECK(f.wrong == 0);
+    CHECK(d.wrong == 0);
+    CHECK(f.hits > 5000);
+    CHECK(d.hits > 5000);
+    for (const int row : {4, 5}) {
+        record(row, counted(f.wrong + d.wrong) + " of 20,000 rays unlike brute force");
+    }
+}
+
+TEST_CASE("rows 4 and 5: slabs that multiply 0 by infinity are found by the same rays") {
+    Kernels naive;
+    CHECK(along_axes<float>(1000, naive).wrong == 0);
+    naive.box = nan_slabs;
+    CHECK(along_axes<float>(1000, naive).wrong > 0);
 }
 
 TEST_CASE("row 5: an origin on a slab plane, and a direction along it, is inside the slab") {
@@ -98,39 +123,11 @@ TEST_CASE("row 5: an origin on a slab plane, and a direction along it, is inside
 
 namespace {
 
-/// A floor of 8 by 8 cells cut in three ways, so that edges end in the middle of others, each
-/// triangle twice, wound either way, in the order of a shuffle.
-std::vector<std::array<Vec3d, 3>> cut_floor(bool tilted, Random& random) {
-    std::vector<std::array<Vec3d, 3>> all;
-    const auto at = [&](double x, double y) {
-        return tilted ? Vec3d{x, 0.25 * x + 0.5 * y, y} : Vec3d{x, 0.0, y};
-    };
-    for (int i = 0; i < 64; ++i) {
-        const double x = i % 8;
-        const double y = i / 8;
-        const Vec3d a = at(x, y);
-        const Vec3d b = at(x + 1, y);
-        const Vec3d c = at(x + 1, y + 1);
-        const Vec3d d = at(x, y + 1);
-        const Vec3d m = at(x + 0.5, y + 0.5);
-        if (i % 3 == 0) {
-            all.insert(all.end(), {{a, b, m}, {b, c, m}, {c, d, m}, {d, a, m}});
-        } else {
-            const Vec3d e = at(x + 0.5, y);  // on the neighbour's edge
-            all.insert(all.end(), {{a, e, d}, {e, b, c}, {e, c, d}});
-        }
-    }
-    const auto count = all.size();
-    for (std::size_t i = 0; i < count; ++i) all.push_back({all[i][0], all[i][2], all[i][1]});
-    for (std::size_t i = all.size(); i > 1; --i) {
-        std::swap(all[i - 1], all[random.below(static_cast<std::uint32_t>(i))]);
-    }
-    return all;
-}
-
-/// The least (t, object) of single triangles: what a hit is, without anything of the search.
+/// The least (t, object) of single triangles: what a hit is, without anything of the search; or
+/// what is wrong, without t being held to the triangle's box.
 template <typename T>
-renderer::Hit<T> least_of_all(const renderer::PreparedScene<T>& scene, const renderer::Ray<T>& r) {
+renderer::Hit<T> least_of_all(const renderer::PreparedScene<T>& scene, const renderer::Ray<T>& r,
+                              bool clamped = true) {
     const renderer::RayShear<T> shear(r.origin, r.direction);
     const renderer::RaySlabs<T> slabs(r.origin, r.direction);
     renderer::Hit<T> least;
@@ -138,7 +135,7 @@ renderer::Hit<T> least_of_all(const renderer::PreparedScene<T>& scene, const ren
         const auto hit = renderer::intersect_triangle(shear, triangle.vertices);
         const auto span = renderer::slab_span(slabs, renderer::bounds_of(triangle.vertices));
         if (!hit || span.empty()) continue;
-        const T t = std::min(std::max(hit->t, span.near), span.far);
+        const T t = clamped ? std::min(std::max(hit->t, span.near), span.far) : hit->t;
         if (!(t > 0)) continue;
         if (!least || t < least.t || (t == least.t && triangle.object < least.object)) {
             least = {t, triangle.object, 0, hit->u, hit->v};
@@ -153,30 +150,34 @@ void check_cut_floor(int rays) {
         SceneMaker make;
         Random random(7);
         for (const auto& t : cut_floor(tilted, random)) make.triangle(t[0], t[1], t[2]);
-        const auto scene = renderer::prepare<T>(make.scene);
+        Questions<T> cores(make.scene);
+        const auto& scene = cores.reference;
         int missed = 0;
-        int differ = 0;
         int not_least = 0;
+        int unclamped_differs = 0;
         for (int i = 0; i < rays; ++i) {
             // At vertices, T-vertices among them, at edges that others end on, and at both
             // anywhere.
-            const double x = 0.5 * (1 + random.below(15));
-            const double y = i % 2 == 0 ? random.in(0.1, 7.9) : 0.5 * (1 + random.below(15));
-            const bool across = i % 4 == 0;
-            const Vec3d on{across ? y : x, 0, across ? x : y};
-            const Vec3d target = on + Vec3d{0, tilted ? 0.25 * on.x + 0.5 * on.z : 0, 0};
+            const Vec3d target = on_cut_floor(tilted, static_cast<std::uint32_t>(i), random);
             auto r = ray<T>(random.point(2) + Vec3d{4, 9, 4}, {});
             // Of any length: where t is not 1 its rounding and the slabs' differ, and only the
             // clamp keeps a triangle from being left out behind its equal.
             r.direction = (scene.to_local(target) - r.origin) * static_cast<T>(random.in(0.1, 1));
-            renderer::Hit<T> hit;
-            if (!tree_agrees(scene, r, {}, &hit)) ++differ;
+            if (i % 8 == 0) cores.ask(r);
+            const auto hit = kByTree(scene, r);
             if (!hit) ++missed;
+            if (i % 4 != 0) continue;
             if (!same(hit, least_of_all(scene, r))) ++not_least;
+            if (!same(hit, least_of_all(scene, r, false))) ++unclamped_differs;
         }
         CHECK(missed == 0);
-        CHECK(differ == 0);
+        CHECK(cores.differences() == "");
         CHECK(not_least == 0);
+        record(7, counted(missed) + " of " + counted(rays) + " rays lost, " + counted(not_least) +
+                      " given to another than the least, " + name_of_type<T>() +
+                      (tilted ? ", tilted" : ""));
+        // The rays are such that what is wrong shows.
+        CHECK(unclamped_differs > 0);
     }
 }
 
@@ -204,7 +205,8 @@ TEST_CASE("row 8: what has no area or no number is never hit, is in no box, and 
     // Distinct in double, one point once narrowed.
     make.triangle({1, 1, 1}, {1, 1 + 1e-12, 1}, {1 + 1e-12, 1, 1});
     const auto good = make.triangle({0, 0, -1}, {1, 0, -1}, {0, 1, -1});
-    const auto scene = renderer::prepare<float>(make.scene);
+    Questions<float> cores(make.scene);
+    const auto& scene = cores.reference;
     using Kind = renderer::PreparationNote::Kind;
     const Kind expected[] = {Kind::kDegenerate, Kind::kDegenerate, Kind::kDegenerate,
                              Kind::kOutOfRange, Kind::kOutOfRange, Kind::kDegenerate,
@@ -221,36 +223,56 @@ TEST_CASE("row 8: what has no area or no number is never hit, is in no box, and 
     Random random(8);
     int others = 0;
     for (int i = 0; i < 2000; ++i) {
-        renderer::Hit<float> hit;
         const auto from = scene.to_local(random.direction() * 12);
         renderer::Ray<float> r;
         r.origin = from;
         r.direction = scene.to_local(random.point(1)) - from;
-        CHECK(tree_agrees(scene, r, {}, &hit));
+        const auto hit = cores.ask(r);
         others += hit && hit.object != good ? 1 : 0;
     }
+    CHECK(cores.differences() == "");
     CHECK(others == 0);
+    record(8, "10 of 10 noted, hit by " + counted(others) + " of 2,000 rays");
 }
 
+namespace {
+
+/// Of rays from `height` above a box's face and a plane beside it, 8 ulp of t apart, how many find
+/// the wrong one first.
+template <typename Cast>
+int wrong_order(double height, bool above, int count, Cast cast) {
+    const double gap = 8 * height * 0x1p-23;
+    SceneMaker make;
+    const auto box = make.box({-1, 0, -1}, {1, 1, 1});
+    const auto plane = make.plane({0, 1, 0}, above ? 1 + gap : 1 - gap);
+    Questions<float> cores(make.scene);
+    const auto& scene = cores.reference;
+    Random random(16);
+    int wrong = 0;
+    for (int i = 0; i < count; ++i) {
+        renderer::Ray<float> r;
+        r.origin = scene.to_local({random.in(-5, 5), 1 + height, random.in(-5, 5)});
+        r.direction =
+            normalize(scene.to_local({random.in(-0.9, 0.9), 1, random.in(-0.9, 0.9)}) - r.origin);
+        cores.ask(r);
+        wrong += cast(scene, r).object == (above ? plane : box) ? 0 : 1;
+    }
+    CHECK(cores.differences() == "");
+    return wrong;
+}
+
+}  // namespace
+
 TEST_CASE("row 16: a plane next to a box's face is told apart beyond 8 ulp of t") {
+    Kernels rough;
+    rough.box = rough_reciprocal;
     for (const double height : {3.0, 30.0, 3000.0}) {
-        const double gap = 8 * height * 0x1p-23;
-        for (const bool above : {false, true}) {
-            SceneMaker make;
-            const auto box = make.box({-1, 0, -1}, {1, 1, 1});
-            const auto plane = make.plane({0, 1, 0}, above ? 1 + gap : 1 - gap);
-            const auto scene = renderer::prepare<float>(make.scene);
-            Random random(16);
-            for (int i = 0; i < 2000; ++i) {
-                renderer::Ray<float> r;
-                r.origin = scene.to_local({random.in(-5, 5), 1 + height, random.in(-5, 5)});
-                r.direction = normalize(
-                    scene.to_local({random.in(-0.9, 0.9), 1, random.in(-0.9, 0.9)}) - r.origin);
-                renderer::Hit<float> hit;
-                CHECK(tree_agrees(scene, r, {}, &hit));
-                CHECK(hit.object == (above ? plane : box));
-            }
-        }
+        CAPTURE(height);
+        for (const bool above : {false, true})
+            CHECK(wrong_order(height, above, 1000, kByTree) == 0);
+        record(16, "0 of 2,000 in the wrong order from " + brief(height) + " above");
+        // An approximate reciprocal errs to one side.
+        CHECK(wrong_order(height, true, 500, rough) + wrong_order(height, false, 500, rough) > 0);
     }
 }
 
@@ -308,6 +330,8 @@ TEST_CASE("row 42: trees over nothing, one thing, and a million things in one pl
         }
         CHECK(held == count);
         CHECK(deepest < renderer::kMaxTreeDepth);
+        record(42, counted(count) + " things: " + counted(deepest) + " levels of " +
+                       counted(renderer::kMaxTreeDepth) + " allowed");
         CHECK(nodes.size() < count);
         if (!one_place) continue;
         const auto from = scene.to_local({0.2, 0.2, 5});

@@ -30,8 +30,8 @@ inline bool contracted_edges(const renderer::RayShear<float>& ray, const Triangl
     return !((u < 0 || w < 0 || x < 0) && (u > 0 || w > 0 || x > 0)) && u + w + x != 0;
 }
 
-/// Möller and Trumbore (1997): each triangle has an origin of its own.
-inline bool moller_trumbore(const renderer::RayShear<float>& ray, const Triangle& v) {
+/// Möller and Trumbore (1997): each triangle has an origin of its own. Edges reach out by `more`.
+inline bool within_weights(const renderer::RayShear<float>& ray, const Triangle& v, float more) {
     const auto e1 = v[1] - v[0];
     const auto e2 = v[2] - v[0];
     const auto p = cross(ray.direction, e2);
@@ -41,7 +41,16 @@ inline bool moller_trumbore(const renderer::RayShear<float>& ray, const Triangle
     const float u = dot(s, p) / det;
     const auto q = cross(s, e1);
     const float w = dot(ray.direction, q) / det;
-    return u >= 0 && w >= 0 && u + w <= 1;
+    return u >= -more && w >= -more && u + w <= 1 + more;
+}
+
+inline bool moller_trumbore(const renderer::RayShear<float>& ray, const Triangle& v) {
+    return within_weights(ray, v, 0);
+}
+
+/// The same with edges made to overlap, against leaks: things look larger than they are.
+inline bool generous_edges(const renderer::RayShear<float>& ray, const Triangle& v) {
+    return within_weights(ray, v, 1e-5F);
 }
 
 /// The same, refusing small determinants by an absolute measure.

@@ -4,6 +4,7 @@
 // predicates made of them. Slow and simple; exact while no product over- or underflows.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -83,6 +84,17 @@ inline ExactVec exact_cross(const ExactVec& a, const ExactVec& b) {
 /// On which side of the edge a-b the line through o along d passes: (a - o) x (b - o) . d.
 inline Exact exact_side(math::Vec3d o, math::Vec3d d, math::Vec3d a, math::Vec3d b) {
     return exact_dot(exact_cross(minus(exact(a), exact(o)), minus(exact(b), exact(o))), exact(d));
+}
+
+/// Its sign; by double alone where that is sure: each of the six products of three differences, and
+/// their sums, is off by less than 16 roundings of the product of the magnitudes.
+inline int side_sign(math::Vec3d o, math::Vec3d d, math::Vec3d a, math::Vec3d b) {
+    const math::Vec3d p = a - o;
+    const math::Vec3d q = b - o;
+    const double rough = dot(cross(p, q), d);
+    const double size = 6 * std::sqrt(dot(p, p)) * std::sqrt(dot(q, q)) * std::sqrt(dot(d, d));
+    if (std::fabs(rough) > 16 * 0x1p-53 * size) return rough > 0 ? 1 : -1;
+    return exact_side(o, d, a, b).sign();
 }
 
 /// t of the line's crossing of the plane through a, b and c, to some 2^-100; NaN if parallel.

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Pictures that must not depend on how, or in whose process, they are made: rows 43 and 45 of the
+// hard cases. Compilers are compared by the hashes that tests/render/golden.expected holds.
+#include <doctest/doctest.h>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include <string>
+
+#include "renderer/intersect/instruction_set.hpp"
+#include "tests/hard/cores.hpp"
+#include "tests/hard/mixed.hpp"
+#include "tests/hard/record.hpp"
+#include "tests/render/everything.hpp"
+#include "tests/render/same.hpp"
+#include "tests/support/golden.hpp"
+#include "tests/support/with_instruction_set.hpp"
+
+namespace cobble::test {
+
+namespace {
+
+std::string hash_of(const renderer::Picture& picture) {
+    BitsHash hash;
+    for (const auto* plane : {&picture.color, &picture.depth, &picture.normals, &picture.albedo}) {
+        hash.add(plane->values);
+    }
+    return hash.text();
+}
+
+/// As a host sets it that wants no denormals: results that would be one are 0, and so are operands.
+class DenormalsFlushed {
+  public:
+#if defined(__SSE2__)
+    // Bits 15 and 6 of the control register.
+    DenormalsFlushed() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040U); }
+    ~DenormalsFlushed() { _mm_setcsr(before_); }
+#elif defined(__aarch64__)
+    DenormalsFlushed() {
+        asm volatile("mrs %0, fpcr" : "=r"(before_));
+        asm volatile("msr fpcr, %0" ::"r"(before_ | std::uint64_t{1} << 24));
+    }
+    ~DenormalsFlushed() { asm volatile("msr fpcr, %0" ::"r"(before_)); }
+#endif
+    DenormalsFlushed(const DenormalsFlushed&) = delete;
+    DenormalsFlushed& operator=(const DenormalsFlushed&) = delete;
+
+  private:
+#if defined(__SSE2__)
+    std::uint32_t before_;
+#elif defined(__aarch64__)
+    std::uint64_t before_;
+#endif
+};
+
+/// Triangles, spheres and boxes that touch and overlap, `scale` in size.
+SceneMaker heap(double scale) {
+    SceneMaker make;
+    Random random(45);
+    for (int i = 0; i < 24; ++i) {
+        const Vec3d a = random.point(1).to<float>().to<double>();
+        const Vec3d b = random.point(1).to<float>().to<double>();
+        const Vec3d c = random.point(1).to<float>().to<double>();
+        make.triangle(a * scale, b * scale, c * scale);
+        if (i % 3 == 0) make.sphere(b * scale, 0.25 * scale);
+        if (i % 4 == 0) make.box(c * scale, (c + Vec3d{0.25, 0.5, 0.125}) * scale);
+    }
+    return make;
+}
+
+/// Rays at vertices, edges and anywhere, whose hits in a heap of another scale are not the same but
+/// for t, which counts in lengths of the direction: the one is scaled, the other not.
+template <typename T>
+int scaled_differ(int exponent, bool scale_direction, std::string* cores) {
+    const auto one = heap(1);
+    const auto tiny = heap(std::ldexp(1.0, exponent));
+    const auto a = renderer::prepare<T>(one.scene);
+    Questions<T> q(tiny.scene);
+    const auto power = static_cast<T>(std::ldexp(1.0, exponent));
+    renderer::Counters counters;
+    Random random(100);
+    int differ = 0;
+    for (int i = 0; i < 600; ++i) {
+        const auto& v = one.scene.triangles[random.below(24)].keys[0];
+        const Vec3d at = i % 3 == 0   ? v[random.below(3)]
+                         : i % 3 == 1 ? lerp(v[0], v[1], random.unit())
+                                      : random.point(1);
+        renderer::Ray<T> r;
+        r.origin = a.to_local(random.point(3));
+        r.direction = a.to_local(at) - r.origin;
+        renderer::Ray<T> s = r;
+        s.origin = r.origin * power;
+        if (scale_direction) s.direction = r.direction * power;
+        const auto p = closest_hit(a, r, {}, counters);
+        auto hit = q.ask(s);
+        if (!scale_direction) hit.t = hit.t / power;
+        differ += same(p, hit) ? 0 : 1;
+    }
+    if (cores != nullptr) *cores = q.differences();
+    return differ;
+}
+
+}  // namespace
+
+TEST_CASE("row 43: threads, tiles and instruction sets leave no trace in a picture") {
+    SceneBuilder b = everything();
+    renderer::Settings s = full(26, 19, 2);
+    for (const auto precision : {renderer::Precision::kFloat, renderer::Precision::kDouble}) {
+        s.precision = precision;
+        s.tile_size = 32;
+        s.acceleration = renderer::Acceleration::kBvh;
+        const std::string expected = hash_of(render(b.scene(), s).picture);
+        s.acceleration = renderer::Acceleration::kFast;
+        for (const std::string& name : renderer::instruction_sets()) {
+            CAPTURE(name);
+            const WithInstructionSet with(name);
+            for (const std::uint32_t threads : {1U, 2U, 3U, 7U}) {
+                for (const std::uint32_t tile : {8U, 128U}) {
+                    CAPTURE(threads);
+                    CAPTURE(tile);
+                    s.tile_size = tile;
+                    CHECK(hash_of(render(b.scene(), s, threads).picture) == expected);
+                }
+            }
+        }
+        record(43, "one hash by " + counted(std::ssize(renderer::instruction_sets())) +
+                       " instruction sets, 4 counts of threads, 2 sizes of tiles, " +
+                       (precision == renderer::Precision::kFloat ? "float" : "double"));
+        // The hash is one of something.
+        s.seed = 1;
+        CHECK(hash_of(render(b.scene(), s).picture) != expected);
+        s.seed = 0;
+    }
+}
+
+TEST_CASE(
+    "row 45: a host that flushes denormals gets the same picture from every instruction set") {
+    SceneBuilder b = everything();
+    const renderer::Settings s = full(24, 18, 2);
+    const std::string expected = hash_of(render(b.scene(), s).picture);
+    for (const std::string& name : renderer::instruction_sets()) {
+        CAPTURE(name);
+        const WithInstructionSet with(name);
+        const DenormalsFlushed flushed;
+        CHECK(hash_of(render(b.scene(), s).picture) == expected);
+        CHECK(hash_of(render(b.scene(), s, 3).picture) == expected);
+    }
+}
+
+TEST_CASE("row 45: a scene scaled by 2^-100 keeps its hits, by every core") {
+    for (const bool scale_direction : {false, true}) {
+        CAPTURE(scale_direction);
+        std::string cores;
+        CHECK(scaled_differ<float>(-100, scale_direction, &cores) == 0);
+        CHECK(cores == "");
+        CHECK(scaled_differ<double>(-100, scale_direction, &cores) == 0);
+        CHECK(cores == "");
+        CHECK(scaled_differ<float>(60, scale_direction, nullptr) == 0);
+    }
+    record(45, "0 of 2,400 hits differ at 2^-100");
+}
+
+}  // namespace cobble::test
