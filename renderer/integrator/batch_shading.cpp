@@ -27,6 +27,7 @@ BatchShading<T>::BatchShading(const ShadingScene<T>& scene)
       slots_(std::make_unique<SurfaceSlots<T>>()),
       hits_(std::make_unique<HitColumns<T>>()),
       light_(std::make_unique<LightColumns<T>>()),
+      on_(scene.any_scatters() ? std::make_unique<ScatterColumns<T>>() : nullptr),
       mirrored_{} {
     others_.reserve(kBatchSize);
     asker_.reserve(kBatchSize);
@@ -82,7 +83,11 @@ void BatchShading<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
     const ActiveEffects& effects = scene_->effects;
     any_highlight_ = any_highlight_ ||
                      (effects.highlights && has_highlight(material.specular, material.shininess));
+    slots_->specular.set(slot, material.specular);
+    slots_->index[slot] = material.refraction_index;
     scatters_[slot] = scene_->scatters(material) ? 1 : 0;
+    any_scatters_ = any_scatters_ || scatters_[slot] != 0;
+    any_glass_ = any_glass_ || (scatters_[slot] != 0 && material.refraction_index > T(0));
     form_[slot] = form_of(object, hit);
     switch (form_[slot]) {
         case Form::kSmooth: {
@@ -175,7 +180,7 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     batch_ = &batch;
     given_ = hits;
     slot_count_ = 0;
-    any_highlight_ = false;
+    any_highlight_ = any_scatters_ = any_glass_ = false;
     others_.clear();
     recent_.fill(-1);
     std::array<std::uint8_t, kBatchSize> slot_of_lane;
@@ -192,6 +197,7 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] = begins[i] + counts[i];
     first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
     lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
+    count_ = begins[kForms];
     auto next = begins;
     for (std::size_t lane = 0; lane < hits.size(); ++lane) {
         if (!hits[lane]) continue;
@@ -325,6 +331,46 @@ void BatchShading<T>::color(std::span<math::Vec3<T>> colors) const {
         const auto i = static_cast<std::size_t>(entry);
         colors[lane] = i < lit_ ? ambient * hits_->kd.at(i) + hits_->light.at(i)
                                 : color_of(*scene_, batch_->rays[lane], others_[i - first_other_]);
+    }
+}
+
+template <typename T>
+void BatchShading<T>::send_on() {
+    (any_glass_ ? loops_->scatter_glass : loops_->scatter_mirror)(*slots_, *hits_, *on_, count_);
+}
+
+template <typename T>
+void BatchShading<T>::push_child(const ChildColumns<T>& children, std::size_t entry, RayKind kind,
+                                 const TracedRay<T>& parent,
+                                 std::vector<TracedRay<T>>& stack) const {
+    if (children.matters[entry] == 0) return;
+    const std::size_t slot = slot_of_entry(static_cast<std::int32_t>(entry));
+    const bool reflected = kind == RayKind::kReflected;
+    TracedRay<T>& child = stack.emplace_back();
+    child.ray.origin = children.from.at(entry);
+    child.ray.direction = children.direction.at(entry);
+    child.ray.time = parent.ray.time;
+    child.exclude = {ir::ObjectId{slots_->object[slot]}, slots_->face[slot],
+                     children.outward[entry] == 0};
+    child.weight = children.weight.at(entry);
+    child.index = reflected ? parent.index : on_->index_beyond[entry];
+    child.path = reflected ? parent.path.reflected() : parent.path.refracted();
+    child.depth = parent.depth + 1;
+    child.kind = kind;
+}
+
+template <typename T>
+void BatchShading<T>::push_children(std::size_t lane, const TracedRay<T>& parent,
+                                    std::vector<TracedRay<T>>& stack) const {
+    if (entry_[lane] < 0 || parent.depth >= scene_->bounces) return;
+    const auto entry = static_cast<std::size_t>(entry_[lane]);
+    const std::size_t slot = slot_of_entry(entry_[lane]);
+    if (scatters_[slot] == 0) return;
+    if (scene_->effects.refraction && slots_->index[slot] > T(0)) {
+        push_child(on_->refracted, entry, RayKind::kRefracted, parent, stack);
+    }
+    if (scene_->effects.reflection) {
+        push_child(on_->reflected, entry, RayKind::kReflected, parent, stack);
     }
 }
 

@@ -66,10 +66,23 @@ class BatchShading {
 
     /// What ray `lane` met, in full but for texture coordinates that nobody read.
     [[nodiscard]] Encounter<T> encounter(std::size_t lane) const;
-    /// Whether scatter() may have something to say of it.
-    [[nodiscard]] bool may_scatter(std::size_t lane) const {
-        return entry_[lane] >= 0 && scatters_[slot_of_entry(entry_[lane])] != 0;
+
+    /// What scatter() sends on from each surface; `traced(ray's place in the batch)` is the ray
+    /// that came.
+    template <typename Traced>
+    void scatter(const Traced& traced) {
+        if (!any_scatters_) return;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const TracedRay<T>& ray = traced(lane_[i]);
+            on_->weight.set(i, ray.weight);
+            on_->index[i] = ray.index;
+        }
+        send_on();
     }
+    /// Puts the children of ray `lane` on a stack, from where it has come off. A reflected ray goes
+    /// before a refracted one.
+    void push_children(std::size_t lane, const TracedRay<T>& parent,
+                       std::vector<TracedRay<T>>& stack) const;
 
   private:
     /// How a surface is computed; in this order in the columns.
@@ -91,6 +104,9 @@ class BatchShading {
     void sent_by(const PreparedLight& light);
     void add_highlights();
     void leave_out_below_bent();
+    void send_on();
+    void push_child(const ChildColumns<T>& children, std::size_t entry, RayKind kind,
+                    const TracedRay<T>& parent, std::vector<TracedRay<T>>& stack) const;
 
     const ShadingScene<T>* scene_;
     const ColumnLoops<T>* loops_;
@@ -113,10 +129,14 @@ class BatchShading {
     // By entry in the columns: those that are lit first.
     std::unique_ptr<HitColumns<T>> hits_;
     std::unique_ptr<LightColumns<T>> light_;
+    std::unique_ptr<ScatterColumns<T>> on_;  ///< null if no ray goes on from anywhere
     std::array<std::uint32_t, kBatchSize> lane_{};
     std::size_t lit_ = 0;
     std::size_t first_other_ = 0;
+    std::size_t count_ = 0;
     bool any_highlight_ = false;
+    bool any_scatters_ = false;  ///< of the batch
+    bool any_glass_ = false;
     std::vector<Encounter<T>> others_;  ///< from first_other_ on
     Columns3<T> mirrored_;              ///< rays at surfaces with a highlight
 

@@ -66,7 +66,7 @@ class BatchStages {
     // Of the batch, by place in it; once step() said so.
     [[nodiscard]] const Hit<T>& hit(std::size_t place) const { return hits_[place]; }
     [[nodiscard]] math::Vec3<T> color(std::size_t place) const { return colors_[place]; }
-    [[nodiscard]] const BatchShading<T>& shading() const { return shading_; }
+    [[nodiscard]] BatchShading<T>& shading() { return shading_; }
 
   private:
     enum class Stage : std::uint8_t { kMeet, kLook, kAsk, kShadow, kColor };

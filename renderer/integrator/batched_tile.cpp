@@ -137,21 +137,21 @@ void BatchedTile<T>::gather(TileWork& work) {
 template <typename T>
 void BatchedTile<T>::scatter_all() {
     const std::size_t count = batch_.rays().size();
-    const BatchShading<T>& shading = batch_.shading();
+    BatchShading<T>& shading = batch_.shading();
+    shading.scatter([this](std::size_t lane) -> const TracedRay<T>& {
+        return flight(lane).trace.stack.back();
+    });
     for (std::size_t lane = 0; lane < count; ++lane) {
         Flight& flight = this->flight(lane);
         SampleTrace<T>& trace = flight.trace;
         const TracedRay<T> ray = trace.stack.back();
         trace.stack.pop_back();
-        children_.count = 0;
+        trace.sample.color += (ray.weight * batch_.color(lane)).template to<double>();
         if (ray.kind == RayKind::kCamera) {
             trace.first_object = batch_.hit(lane).object;
             if (!only_color_) see_first(trace.sample, shading.encounter(lane));
         }
-        if (ray.depth < scene_->bounces && shading.may_scatter(lane)) {
-            scatter(*scene_, ray, shading.encounter(lane), children_);
-        }
-        bring_back(trace, ray, batch_.color(lane), children_);
+        shading.push_children(lane, ray, trace.stack);
         const std::uint32_t index = round_[first_ + lane];
         if (!trace.done()) {
             next_.push_back(index);

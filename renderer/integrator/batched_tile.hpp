@@ -66,7 +66,6 @@ class BatchedTile final : public PausedWork {
 
     bool on_its_way_ = false;  ///< a batch is
     BatchStages<T> batch_;
-    Offspring<T> children_;
 
     std::vector<Landed> landed_;  ///< by number, modulo their count
     SampleCursor next_to_land_;

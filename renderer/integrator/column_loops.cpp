@@ -5,6 +5,7 @@
 
 #include "renderer/intersect/surface_forms.hpp"
 #include "renderer/sampling/sobol.hpp"
+#include "renderer/shading/fresnel.hpp"
 #include "renderer/shading/phong.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -40,10 +41,11 @@ COBBLE_LOOP void through_pinhole(const PreparedCamera& of_scene, CameraColumns<T
 
 /// What SurfacePoint and SurfaceLook say of a surface of a plain material.
 template <bool kClosed, typename T>
-void set_surface(HitColumns<T>& hits, std::size_t i, math::Vec3<Wide<T>> position,
-                 math::Vec3d unit_normal, math::Vec3<T> shading, math::Vec3<T> kd) {
+void set_surface(HitColumns<T>& hits, std::size_t i, math::Vec3<T> direction,
+                 math::Vec3<Wide<T>> position, math::Vec3d unit_normal, math::Vec3<T> shading,
+                 math::Vec3<T> kd) {
     const math::Vec3<T> geometric = unit_normal.template to<T>();
-    const bool turned = !kClosed && math::dot(hits.direction.at(i), geometric) > T(0);
+    const bool turned = !kClosed && math::dot(direction, geometric) > T(0);
     hits.position.set(i, position.template to<T>());
     hits.geometric.set(i, geometric);
     hits.normal.set(i, {turned ? -shading.x : shading.x, turned ? -shading.y : shading.y,
@@ -64,19 +66,21 @@ math::Vec3<Wide<T>> triangle_point_at(const SurfaceSlots<T>& slots, const HitCol
 }
 
 template <typename T>
-COBBLE_LOOP void flat_triangles(const SurfaceSlots<T>& slots, HitColumns<T>& hits,
-                                std::size_t first, std::size_t end) {
+COBBLE_LOOP void flat_triangles(const SurfaceSlots<T>& __restrict slots,
+                                HitColumns<T>& __restrict hits, std::size_t first,
+                                std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
         const auto slot = static_cast<std::size_t>(hits.slot[i]);
         const math::Vec3d normal = slots.normal.at(slot);
-        set_surface<false>(hits, i, triangle_point_at(slots, hits, i), normal,
+        set_surface<false>(hits, i, hits.direction.at(i), triangle_point_at(slots, hits, i), normal,
                            normal.template to<T>(), slots.kd.at(slot));
     }
 }
 
 template <typename T>
-COBBLE_LOOP void smooth_triangles(const SurfaceSlots<T>& slots, HitColumns<T>& hits,
-                                  std::size_t first, std::size_t end) {
+COBBLE_LOOP void smooth_triangles(const SurfaceSlots<T>& __restrict slots,
+                                  HitColumns<T>& __restrict hits, std::size_t first,
+                                  std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
         const auto slot = static_cast<std::size_t>(hits.slot[i]);
         const math::Vec3d normal = slots.normal.at(slot);
@@ -86,44 +90,44 @@ COBBLE_LOOP void smooth_triangles(const SurfaceSlots<T>& slots, HitColumns<T>& h
         const bool taken = dot(smooth, smooth) > 0.5;
         const math::Vec3d shading{taken ? smooth.x : normal.x, taken ? smooth.y : normal.y,
                                   taken ? smooth.z : normal.z};
-        set_surface<false>(hits, i, triangle_point_at(slots, hits, i), normal,
+        set_surface<false>(hits, i, hits.direction.at(i), triangle_point_at(slots, hits, i), normal,
                            shading.template to<T>(), slots.kd.at(slot));
     }
 }
 
 template <typename T>
-COBBLE_LOOP void spheres(const SurfaceSlots<T>& slots, HitColumns<T>& hits, std::size_t first,
-                         std::size_t end) {
+COBBLE_LOOP void spheres(const SurfaceSlots<T>& __restrict slots, HitColumns<T>& __restrict hits,
+                         std::size_t first, std::size_t end) {
     using W = Wide<T>;
     for (std::size_t i = first; i < end; ++i) {
         const auto slot = static_cast<std::size_t>(hits.slot[i]);
         const math::Vec3<W> center = slots.a.at(slot).template to<W>();
-        const math::Vec3<W> n =
-            sphere_normal(center, along(hits.from.at(i), hits.direction.at(i), hits.t[i]));
+        const math::Vec3<T> direction = hits.direction.at(i);
+        const math::Vec3<W> n = sphere_normal(center, along(hits.from.at(i), direction, hits.t[i]));
         const math::Vec3d normal = unit(to_double(n));
-        set_surface<true>(hits, i, center + n * W(slots.b.x[slot]), normal, normal.template to<T>(),
-                          slots.kd.at(slot));
+        set_surface<true>(hits, i, direction, center + n * W(slots.b.x[slot]), normal,
+                          normal.template to<T>(), slots.kd.at(slot));
     }
 }
 
 template <typename T>
-COBBLE_LOOP void boxes(const SurfaceSlots<T>& slots, HitColumns<T>& hits, std::size_t first,
-                       std::size_t end) {
+COBBLE_LOOP void boxes(const SurfaceSlots<T>& __restrict slots, HitColumns<T>& __restrict hits,
+                       std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
         const auto slot = static_cast<std::size_t>(hits.slot[i]);
         const BoxBounds<T> box{slots.a.at(slot).template to<T>(),
                                slots.b.at(slot).template to<T>()};
         const math::Vec3d normal = slots.normal.at(slot);
-        set_surface<true>(hits, i,
-                          box_point(box, slots.face[slot],
-                                    along(hits.from.at(i), hits.direction.at(i), hits.t[i])),
+        const math::Vec3<T> direction = hits.direction.at(i);
+        set_surface<true>(hits, i, direction,
+                          box_point(box, normal, along(hits.from.at(i), direction, hits.t[i])),
                           normal, normal.template to<T>(), slots.kd.at(slot));
     }
 }
 
 template <typename T>
 COBBLE_LOOP void to_point_light(const PreparedLight& of_scene, const HitColumns<T>& hits,
-                                LightColumns<T>& answers, std::size_t count) {
+                                LightColumns<T>& __restrict answers, std::size_t count) {
     const PreparedLight light = of_scene;
     const auto store = [&](std::size_t i, const LightSample<T>& sample) {
         answers.direction.set(i, sample.direction);
@@ -151,56 +155,124 @@ COBBLE_LOOP void lambert_share(const HitColumns<T>& hits, LightColumns<T>& answe
     }
 }
 
+/// What ask loops read of a hit, all of it before they write: a number that is read again after a
+/// store would keep them from taking many at once.
 template <typename T>
-void ask_light_for(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t i,
-                   bool hides_itself) {
-    const math::Vec3<T> geometric = hits.geometric.at(i);
-    const T cosine =
-        math::dot(hits.turned[i] != 0 ? -geometric : geometric, answers.direction.at(i));
-    math::Vec3<T> share = answers.intensity.at(i) * answers.share.at(i);
-    const bool below = hides_itself && !(cosine > T(0));
-    share = {below ? T(0) : share.x, below ? T(0) : share.y, below ? T(0) : share.z};
-    answers.share.set(i, share);
-    const bool nothing = share.x == T(0) && share.y == T(0) && share.z == T(0);
-    answers.matters[i] = nothing ? 0 : 1;
-}
+struct Lit {
+    math::Vec3<T> position, geometric, direction, target, intensity, share;
+    T error;
+    bool turned;
 
-template <typename T>
-COBBLE_LOOP void ask_with_shadows_to_target(const HitColumns<T>& hits, LightColumns<T>& answers,
-                                            std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        ask_light_for(hits, answers, i, true);
-        const math::Vec3<T> target = answers.target.at(i);
-        const math::Vec3<T> geometric = hits.geometric.at(i);
-        const Start<T> start =
-            start_off(hits.position.at(i), geometric, hits.error[i], target - hits.position.at(i));
-        const Way<T> way = way_to(start.origin, target, geometric);
+    Lit(const HitColumns<T>& hits, const LightColumns<T>& answers, std::size_t i)
+        : position(hits.position.at(i)),
+          geometric(hits.geometric.at(i)),
+          direction(answers.direction.at(i)),
+          target(answers.target.at(i)),
+          intensity(answers.intensity.at(i)),
+          share(answers.share.at(i)),
+          error(hits.error[i]),
+          turned(hits.turned[i] != 0) {}
+
+    /// Of the light that is sent on. `hides_itself`: nothing comes from below the surface.
+    void set_share(LightColumns<T>& answers, std::size_t i, bool hides_itself) const {
+        const T toward = math::dot(geometric, direction);
+        const T cosine = turned ? -toward : toward;
+        const math::Vec3<T> sent = intensity * share;
+        const bool above = !hides_itself || cosine > T(0);
+        const math::Vec3<T> left{above ? sent.x : T(0), above ? sent.y : T(0),
+                                 above ? sent.z : T(0)};
+        answers.share.set(i, left);
+        answers.matters[i] = left.x == T(0) && left.y == T(0) && left.z == T(0) ? 0 : 1;
+    }
+    void set_way(LightColumns<T>& answers, std::size_t i, const Start<T>& start,
+                 const Way<T>& way) const {
         answers.from.set(i, start.origin);
         answers.outward[i] = start.outward ? 1 : 0;
         answers.way.set(i, way.direction);
         answers.t_max[i] = way.t_max;
     }
-}
+};
 
 template <typename T>
-COBBLE_LOOP void ask_with_shadows_in_direction(const HitColumns<T>& hits, LightColumns<T>& answers,
-                                               std::size_t count) {
+COBBLE_LOOP void ask_with_shadows_to_target(const HitColumns<T>& __restrict hits,
+                                            LightColumns<T>& __restrict answers,
+                                            std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        ask_light_for(hits, answers, i, true);
-        const math::Vec3<T> direction = answers.direction.at(i);
+        const Lit<T> lit(hits, answers, i);
         const Start<T> start =
-            start_off(hits.position.at(i), hits.geometric.at(i), hits.error[i], direction);
-        answers.from.set(i, start.origin);
-        answers.outward[i] = start.outward ? 1 : 0;
-        answers.way.set(i, direction);
-        answers.t_max[i] = std::numeric_limits<T>::infinity();
+            start_off(lit.position, lit.geometric, lit.error, lit.target - lit.position);
+        const Way<T> way = way_to(start.origin, lit.target, lit.geometric);
+        lit.set_share(answers, i, true);
+        lit.set_way(answers, i, start, way);
     }
 }
 
 template <typename T>
-COBBLE_LOOP void ask_without_shadows(const HitColumns<T>& hits, LightColumns<T>& answers,
-                                     std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) ask_light_for(hits, answers, i, false);
+COBBLE_LOOP void ask_with_shadows_in_direction(const HitColumns<T>& __restrict hits,
+                                               LightColumns<T>& __restrict answers,
+                                               std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Lit<T> lit(hits, answers, i);
+        const Start<T> start = start_off(lit.position, lit.geometric, lit.error, lit.direction);
+        lit.set_share(answers, i, true);
+        lit.set_way(answers, i, start, {lit.direction, std::numeric_limits<T>::infinity()});
+    }
+}
+
+template <typename T>
+COBBLE_LOOP void ask_without_shadows(const HitColumns<T>& __restrict hits,
+                                     LightColumns<T>& __restrict answers, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        Lit<T>(hits, answers, i).set_share(answers, i, false);
+    }
+}
+
+template <typename T>
+void set_child(ChildColumns<T>& children, std::size_t i, const Start<T>& start,
+               math::Vec3<T> direction, math::Vec3<T> weight, bool there) {
+    children.from.set(i, start.origin);
+    children.direction.set(i, direction);
+    children.weight.set(i, weight);
+    children.outward[i] = start.outward ? 1 : 0;
+    const bool nothing = weight.x == T(0) && weight.y == T(0) && weight.z == T(0);
+    children.matters[i] = there && !nothing ? 1 : 0;
+}
+
+template <bool kGlass, typename T>
+COBBLE_LOOP void scatter(const SurfaceSlots<T>& __restrict slots,
+                         const HitColumns<T>& __restrict hits, ScatterColumns<T>& __restrict rays,
+                         std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto slot = static_cast<std::size_t>(hits.slot[i]);
+        const math::Vec3<T> direction = hits.direction.at(i);
+        const math::Vec3<T> geometric = hits.geometric.at(i);
+        const math::Vec3<T> position = hits.position.at(i);
+        const T error = hits.error[i];
+        const math::Vec3<T> tint = rays.weight.at(i) * slots.specular.at(slot);
+        // look_at_surface()'s view of it: turned or not, the normal has the viewer's side.
+        const bool leaving = math::dot(direction, geometric) > T(0);
+        const T away = leaving ? T(-1) : T(1);
+        const T normal_away = hits.turned[i] != 0 ? -away : away;
+        const math::Vec3<T> viewer_geometric = geometric * away;
+        const math::Vec3<T> viewer_normal =
+            facing(hits.normal.at(i) * normal_away, viewer_geometric, direction);
+        T reflectance = 1;
+        if constexpr (kGlass) {
+            const T inside = slots.index[slot];
+            const bool see_through = inside > T(0);
+            const T index = leaving ? T(1) : inside;
+            const Refraction<T> through =
+                refract(direction, viewer_normal, rays.index[i], see_through ? index : T(1));
+            reflectance = see_through ? through.reflectance : T(1);
+            const math::Vec3<T> on = keep_above(through.direction, -viewer_geometric);
+            rays.index_beyond[i] = index;
+            set_child(rays.refracted, i, start_off(position, geometric, error, on), on,
+                      tint * (T(1) - reflectance), see_through && !through.total);
+        }
+        const math::Vec3<T> back = keep_above(reflect(direction, viewer_normal), viewer_geometric);
+        set_child(rays.reflected, i, start_off(position, geometric, error, back), back,
+                  tint * reflectance, true);
+    }
 }
 
 template <typename T>
@@ -217,6 +289,8 @@ const ColumnLoops<T>& loops() {
         ask_with_shadows_to_target<T>,
         ask_with_shadows_in_direction<T>,
         ask_without_shadows<T>,
+        scatter<false, T>,
+        scatter<true, T>,
     };
     return kLoops;
 }

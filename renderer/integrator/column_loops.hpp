@@ -36,6 +36,11 @@ struct ColumnLoops {
     /// its direction.
     using Ask = void (*)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
     Ask ask_with_shadows_to_target, ask_with_shadows_in_direction, ask_without_shadows;
+
+    /// What scatter() sends on, of mirrors alone or of glass too.
+    using Scatter = void (*)(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
+                             ScatterColumns<T>& rays, std::size_t count);
+    Scatter scatter_mirror, scatter_glass;
 };
 
 /// By the best instruction set that the processor has, or use_instruction_set()'s.

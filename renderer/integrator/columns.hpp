@@ -49,6 +49,8 @@ struct SurfaceSlots {
     Columns3<double> normal;      ///< geometric, unit; not of a sphere
     Columns3<double> na, nb, nc;  ///< at the vertices of a smooth triangle
     Columns3<T> kd;               ///< of plain materials
+    Columns3<T> specular;
+    alignas(kColumnAlignment) T index[kBatchSize];  ///< of refraction; 0: opaque
     alignas(kColumnAlignment) std::uint32_t face[kBatchSize];
     alignas(kColumnAlignment) std::uint32_t object[kBatchSize];
 };
@@ -71,6 +73,22 @@ struct HitColumns {
     alignas(kColumnAlignment) std::int32_t turned[kBatchSize];  ///< toward the viewer: 1
 
     Columns3<T> light;  ///< that arrived so far
+};
+
+/// Rays that go on from the hits, of one kind.
+template <typename T>
+struct ChildColumns {
+    Columns3<T> from, direction, weight;
+    alignas(kColumnAlignment) std::int32_t outward[kBatchSize];
+    alignas(kColumnAlignment) std::int32_t matters[kBatchSize];  ///< the weight is not zero
+};
+
+template <typename T>
+struct ScatterColumns {
+    Columns3<T> weight;                             ///< of the ray that came
+    alignas(kColumnAlignment) T index[kBatchSize];  ///< of where it travelled
+    ChildColumns<T> reflected, refracted;
+    alignas(kColumnAlignment) T index_beyond[kBatchSize];  ///< of where the refracted ray travels
 };
 
 /// One light over the hits that are lit.

@@ -118,8 +118,8 @@ Local<T> on_box(const BoxBounds<T>& box, std::uint32_t face, Vec3<Wide<T>> near,
     const std::size_t axis = face / 2;
     const bool upper = face % 2 == 1;
     Local<T> local;
-    local.position = box_point(box, face, near);
     local.normal[axis] = upper ? 1 : -1;
+    local.position = box_point(box, local.normal, near);
     if (!want_uv) return local;
     const Vec3d size = box.hi.template to<double>() - box.lo.template to<double>();
     const Vec3d p = to_double(local.position) - box.lo.template to<double>();

@@ -57,19 +57,21 @@ math::Vec3<W> sphere_normal(math::Vec3<W> center, math::Vec3<W> near) {
     return away / wide_sqrt(dot(away, away));
 }
 
-/// The place of a box's face nearest to a point near it.
+/// The place of a box's face nearest to a point near it; the face is the one with this normal.
 template <typename T>
-math::Vec3<Wide<T>> box_point(const BoxBounds<T>& box, std::uint32_t face,
+math::Vec3<Wide<T>> box_point(const BoxBounds<T>& box, math::Vec3d normal,
                               math::Vec3<Wide<T>> near) {
-    using W = Wide<T>;
-    math::Vec3<W> p;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const W lo(box.lo[i]);
-        const W hi(box.hi[i]);
-        p[i] = near[i] < lo ? lo : near[i] > hi ? hi : near[i];
-        if (i == face / 2) p[i] = face % 2 == 1 ? hi : lo;
-    }
-    return p;
+    const auto on_axis = [](T low, T high, double outward, Wide<T> p) {
+        const Wide<T> lo(low);
+        const Wide<T> hi(high);
+        const Wide<T> above = p < lo ? lo : p;
+        const Wide<T> inside = above > hi ? hi : above;
+        const Wide<T> below = outward < 0 ? lo : inside;
+        return outward > 0 ? hi : below;
+    };
+    return {on_axis(box.lo.x, box.hi.x, normal.x, near.x),
+            on_axis(box.lo.y, box.hi.y, normal.y, near.y),
+            on_axis(box.lo.z, box.hi.z, normal.z, near.z)};
 }
 
 /// A sum of |n_i| b_i.

@@ -34,27 +34,31 @@ Refraction<T> refract(math::Vec3<T> direction, math::Vec3<T> normal, T index_fro
     const auto to = static_cast<double>(index_to);
     // Rounding may leave |d . n| a little above 1.
     const double signed_cosine = math::dot(d, n);
-    const double cosine = std::fmin(std::fabs(signed_cosine), 1.0);
-    const math::Vec3d inward = signed_cosine < 0 ? -n : n;
+    const double magnitude = std::fabs(signed_cosine);
+    const double cosine = magnitude < 1.0 ? magnitude : 1.0;
+    const double side = signed_cosine < 0 ? -1.0 : 1.0;
+    const math::Vec3d inward = n * side;
     const double eta = from / to;
     const double radicand = 1 - eta * eta * ((1 - cosine) * (1 + cosine));
-    Refraction<T> result;
-    if (!(radicand >= 0)) {  // NaN too: an index ratio that overflows
-        result.total = true;
-        return result;
-    }
-    const double cosine_through = from == to ? cosine : std::sqrt(radicand);
+    const bool straight = from == to;
+    const double root = std::sqrt(radicand);
+    const double cosine_through = straight ? cosine : root;
     // The part along the surface first: it is what eta stretches, and nothing cancels at eta's
     // size.
     const math::Vec3d along = d - cosine * inward;
-    result.direction =
-        from == to ? direction
-                   : math::normalize(eta * along + cosine_through * inward).template to<T>();
+    const math::Vec3<T> bent =
+        math::normalize(eta * along + cosine_through * inward).template to<T>();
     const double ratio = (to - from) / (to + from);
     const double head_on = ratio * ratio;
-    const double rest = 1 - (from <= to ? cosine : std::fmin(cosine_through, 1.0));
+    const double through_at_most_1 = cosine_through < 1.0 ? cosine_through : 1.0;
+    const double rest = 1 - (from <= to ? cosine : through_at_most_1);
     const double rest2 = rest * rest;
-    result.reflectance = static_cast<T>(head_on + (1 - head_on) * (rest2 * rest2 * rest));
+    const T reflectance = static_cast<T>(head_on + (1 - head_on) * (rest2 * rest2 * rest));
+    Refraction<T> result;
+    result.total = !(radicand >= 0);  // NaN too: an index ratio that overflows
+    result.direction = {straight ? direction.x : bent.x, straight ? direction.y : bent.y,
+                        straight ? direction.z : bent.z};
+    result.reflectance = result.total ? T(1) : reflectance;
     return result;
 }
 
