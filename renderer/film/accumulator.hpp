@@ -10,14 +10,16 @@
 
 namespace cobble::renderer {
 
-/// A sum that keeps what each addition rounds away (Neumaier, ZAMM 54, 1974). A plain sum of a
+/// A sum that keeps what each addition rounds away (Neumaier, ZAMM 54, 1974; here with Knuth's sum
+/// of two, which has the same exact rest without asking which of them is larger). A plain sum of a
 /// million equal numbers is off by 1e-11 of itself; this one by 2 ulp, however long.
 class CompensatedSum {
   public:
     void add(double value) {
         const double sum = sum_ + value;
-        // What of the smaller operand did not fit into `sum`, exactly.
-        rest_ += std::fabs(sum_) >= std::fabs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
+        // What did not fit into `sum`, exactly (Knuth, The Art of Computer Programming, 4.2.2).
+        const double added = sum - sum_;
+        rest_ += (sum_ - (sum - added)) + (value - added);
         sum_ = sum;
     }
     [[nodiscard]] double value() const { return sum_ + rest_; }
@@ -78,7 +80,19 @@ class PixelAccumulator {
         return true;
     }
 
-    /// add() of a sample whose other pictures nobody wants, and which are sound if its colour is.
+    /// add() of samples whose other pictures nobody wants, and which are sound if their colours
+    /// are: `count` numbers of each channel, all finite.
+    template <typename T>
+    void add_colors(const T* x, const T* y, const T* z, std::uint32_t count) {
+        CompensatedSum3 sum = color_;
+        // As a sample's colour is a sum that began with 0: no negative zero.
+        for (std::uint32_t i = 0; i < count; ++i) {
+            sum.add(math::Vec3d{} + math::Vec3<T>{x[i], y[i], z[i]}.template to<double>());
+        }
+        color_ = sum;
+        samples_ += count;
+    }
+    /// The same for one, which may be unsound: then false, and nothing is added.
     [[nodiscard]] bool add_color(math::Vec3d color) {
         if (!finite(color)) return false;
         ++samples_;

@@ -149,7 +149,7 @@ void BatchShading<T>::place(std::size_t lane, std::size_t slot, std::size_t entr
     entry_[lane] = static_cast<std::int32_t>(entry);
     lane_[entry] = static_cast<std::uint32_t>(lane);
     hits_->slot[entry] = static_cast<std::int32_t>(slot);
-    hits_->from.set(entry, ray.origin);
+    if (form_[slot] > Form::kSmooth) hits_->from.set(entry, ray.origin);
     hits_->direction.set(entry, ray.direction);
     hits_->t[entry] = hit.t;
     hits_->u[entry] = hit.u;
@@ -198,6 +198,7 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
     lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
     count_ = begins[kForms];
+    in_order_ = *std::max_element(counts.begin(), counts.end()) == hits.size();
     auto next = begins;
     for (std::size_t lane = 0; lane < hits.size(); ++lane) {
         if (!hits[lane]) continue;
@@ -292,22 +293,32 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
         }
         return;
     }
+    // Room for all of them: a look at the room for each would cost as much as the ray itself.
+    shadow_.rays.resize(lit_);
+    shadow_.excludes.resize(lit_);
+    asker_.resize(lit_);
+    std::size_t count = 0;
     std::size_t lane = 0;
     for (const auto& stretch : batch_->stretches) {
         for (; lane < stretch.end; ++lane) {
             const std::int32_t entry = entry_[lane];
-            if (entry < 0 || static_cast<std::size_t>(entry) >= lit_) continue;
-            if (light_->matters[entry] == 0) continue;
             const auto i = static_cast<std::size_t>(entry);
+            if (entry < 0 || i >= lit_ || light_->matters[i] == 0) continue;
             const std::size_t slot = slot_of_entry(entry);
-            shadow_.add(
-                {light_->from.at(i), light_->way.at(i), 0, light_->t_max[i],
-                 batch_->rays[lane].time},
-                {ir::ObjectId{slots_->object[slot]}, slots_->face[slot], light_->outward[i] == 0});
-            asker_.push_back(static_cast<std::uint32_t>(entry));
+            Ray<T>& ray = shadow_.rays[count];
+            ray.origin = light_->from.at(i);
+            ray.direction = light_->way.at(i);
+            ray.t_min = 0;
+            ray.t_max = light_->t_max[i];
+            ray.time = batch_->rays[lane].time;
+            shadow_.excludes[count] = {ir::ObjectId{slots_->object[slot]}, slots_->face[slot],
+                                       light_->outward[i] == 0};
+            asker_[count++] = static_cast<std::uint32_t>(entry);
         }
-        shadow_.end_stretch(stretch.coherence);
+        shadow_.end_stretch_at(count, stretch.coherence);
     }
+    shadow_.rays.resize(count);
+    shadow_.excludes.resize(count);
 }
 
 template <typename T>
@@ -320,17 +331,24 @@ void BatchShading<T>::add_unhidden(std::span<const std::uint8_t> hidden) {
 }
 
 template <typename T>
-void BatchShading<T>::color(std::span<math::Vec3<T>> colors) const {
-    const math::Vec3<T> ambient = scene_->ambient;
-    for (std::size_t lane = 0; lane < colors.size(); ++lane) {
+void BatchShading<T>::color(Columns3<T>& colors) {
+    const std::size_t count = given_.size();
+    if (lit_ == count && in_order_) {
+        loops_->add_ambient(scene_->ambient, *hits_, colors, count);
+        return;
+    }
+    // The light's place is not needed any more.
+    loops_->add_ambient(scene_->ambient, *hits_, hits_->light, lit_);
+    for (std::size_t lane = 0; lane < count; ++lane) {
         const std::int32_t entry = entry_[lane];
-        if (entry < 0) {
-            colors[lane] = background(*scene_, batch_->rays[lane].direction);
-            continue;
-        }
         const auto i = static_cast<std::size_t>(entry);
-        colors[lane] = i < lit_ ? ambient * hits_->kd.at(i) + hits_->light.at(i)
-                                : color_of(*scene_, batch_->rays[lane], others_[i - first_other_]);
+        if (entry < 0) {
+            colors.set(lane, background(*scene_, batch_->rays[lane].direction));
+        } else if (i < lit_) {
+            colors.set(lane, hits_->light.at(i));
+        } else {
+            colors.set(lane, color_of(*scene_, batch_->rays[lane], others_[i - first_other_]));
+        }
     }
 }
 

@@ -62,7 +62,10 @@ class BatchShading {
     void add_unhidden(std::span<const std::uint8_t> hidden);
 
     /// What each ray brings back by itself, by its place in the batch.
-    void color(std::span<math::Vec3<T>> colors) const;
+    void color(Columns3<T>& colors);
+    [[nodiscard]] bool finite_colors(const Columns3<T>& colors, std::size_t count) const {
+        return loops_->all_finite(colors, count);
+    }
 
     /// What ray `lane` met, in full but for texture coordinates that nobody read.
     [[nodiscard]] Encounter<T> encounter(std::size_t lane) const;
@@ -134,6 +137,7 @@ class BatchShading {
     std::size_t lit_ = 0;
     std::size_t first_other_ = 0;
     std::size_t count_ = 0;
+    bool in_order_ = false;  ///< each entry at its ray's place in the batch
     bool any_highlight_ = false;
     bool any_scatters_ = false;  ///< of the batch
     bool any_glass_ = false;

@@ -57,7 +57,7 @@ class BatchStages {
                 stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kColor;
                 break;
             case Stage::kColor:
-                shading_.color(std::span(colors_).first(rays_.size()));
+                shading_.color(colors_);
                 return true;
         }
         return false;
@@ -65,7 +65,7 @@ class BatchStages {
 
     // Of the batch, by place in it; once step() said so.
     [[nodiscard]] const Hit<T>& hit(std::size_t place) const { return hits_[place]; }
-    [[nodiscard]] math::Vec3<T> color(std::size_t place) const { return colors_[place]; }
+    [[nodiscard]] const Columns3<T>& colors() const { return colors_; }
     [[nodiscard]] BatchShading<T>& shading() { return shading_; }
 
   private:
@@ -79,7 +79,7 @@ class BatchStages {
     std::array<Hit<T>, kBatchSize> hits_;
     BatchShading<T> shading_;
     std::array<std::uint8_t, kBatchSize> hidden_{};
-    std::array<math::Vec3<T>, kBatchSize> colors_;
+    Columns3<T> colors_;
 };
 
 }  // namespace cobble::renderer

@@ -67,11 +67,11 @@ template <typename T>
 void BatchedTile<T>::begin_samples(const Tile& tile) {
     while (!idle_.empty()) {
         const std::uint64_t ahead = camera_.next().number - next_to_land_.number;
-        const std::size_t begun = camera_.begin(
-            tile, std::min(idle_.size(), landed_.size() - static_cast<std::size_t>(ahead)));
-        if (begun == 0) return;
-        std::uint64_t number = camera_.next().number - begun;
-        for (std::size_t i = 0; i < begun; ++i) {
+        camera_.begin(
+            tile, std::min(idle_.size(), landed_.size() - static_cast<std::size_t>(ahead)), begun_);
+        if (begun_.empty()) return;
+        std::uint64_t number = camera_.next().number - begun_.size();
+        for (std::size_t i = 0; i < begun_.size(); ++i) {
             const std::uint32_t index = idle_.back();
             idle_.pop_back();
             next_.push_back(index);
@@ -80,7 +80,7 @@ void BatchedTile<T>::begin_samples(const Tile& tile) {
             flight.number = number++;
             flight.trace.sample = {};
             flight.trace.first_object = {};
-            flight.trace.stack.emplace_back().ray = camera_.ray(i);
+            flight.trace.stack.emplace_back().ray = begun_[i];
         }
     }
 }
@@ -146,7 +146,7 @@ void BatchedTile<T>::scatter_all() {
         SampleTrace<T>& trace = flight.trace;
         const TracedRay<T> ray = trace.stack.back();
         trace.stack.pop_back();
-        trace.sample.color += (ray.weight * batch_.color(lane)).template to<double>();
+        trace.sample.color += (ray.weight * batch_.colors().at(lane)).template to<double>();
         if (ray.kind == RayKind::kCamera) {
             trace.first_object = batch_.hit(lane).object;
             if (!only_color_) see_first(trace.sample, shading.encounter(lane));

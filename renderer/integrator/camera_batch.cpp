@@ -19,8 +19,7 @@ CameraBatch<T>::CameraBatch(const ShadingScene<T>& scene, const Settings& settin
       columns_(std::make_unique<CameraColumns<T>>()) {
     if (!simple_) return;
     // Origin and time are those of any ray.
-    const Ray<T> any = camera_ray(scene, Sampler(0, 0, 0, 0), 0, 0).ray;
-    rays_.fill(any);
+    any_ = camera_ray(scene, Sampler(0, 0, 0, 0), 0, 0).ray;
 }
 
 /// Where begin_sample() lets the ray through.
@@ -47,33 +46,44 @@ void CameraBatch<T>::place_in_pixels(std::size_t count) {
 }
 
 template <typename T>
-std::size_t CameraBatch<T>::begin(const Tile& tile, std::size_t most) {
+std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
     CameraColumns<T>& c = *columns_;
     most = std::min(most, kBatchSize);
     std::size_t count = 0;
-    std::uint64_t set = 0;
-    for (; count < most && !next_.at_end(tile); ++count) {
+    while (count < most && !next_.at_end(tile)) {
         const PixelPlace at = next_.place;
-        if (samples_ > 1 && (count == 0 || next_.sample == 0)) {
-            set = Sampler(settings_->seed, at.x, at.y, 0).set(Draw::kPixel, {}, 0);
+        const std::uint64_t set =
+            samples_ > 1 ? Sampler(settings_->seed, at.x, at.y, 0).set(Draw::kPixel, {}, 0) : 0;
+        const std::uint32_t first = next_.sample;
+        const auto of_pixel =
+            static_cast<std::uint32_t>(std::min<std::size_t>(most - count, samples_ - first));
+        for (std::uint32_t i = 0; i < of_pixel; ++i) {
+            places_[count + i] = at;
+            c.sample[count + i] = first + i;
+            c.set[count + i] = set;
+            c.x[count + i] = at.x;
+            c.y[count + i] = at.y;
         }
-        places_[count] = at;
-        c.sample[count] = next_.sample;
-        c.set[count] = set;
-        c.x[count] = at.x;
-        c.y[count] = at.y;
-        next_.advance(tile, samples_);
-    }
-    place_in_pixels(count);
-    if (simple_) {
-        loops_->through_pinhole(scene_->camera, c, count);
-        for (std::size_t i = 0; i < count; ++i) rays_[i].direction = c.direction.at(i);
-    } else {
-        for (std::size_t i = 0; i < count; ++i) {
-            rays_[i] = camera_ray(*scene_, sampler(i), c.x[i], c.y[i]).ray;
-        }
+        count += of_pixel;
+        next_.advance(tile, samples_, of_pixel);
     }
     return count;
+}
+
+template <typename T>
+void CameraBatch<T>::begin(const Tile& tile, std::size_t most, std::vector<Ray<T>>& rays) {
+    const std::size_t count = choose(tile, most);
+    CameraColumns<T>& c = *columns_;
+    place_in_pixels(count);
+    rays.resize(count, any_);
+    if (simple_) {
+        loops_->through_pinhole(scene_->camera, c, count);
+        for (std::size_t i = 0; i < count; ++i) rays[i].direction = c.direction.at(i);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        rays[i] = camera_ray(*scene_, sampler(i), c.x[i], c.y[i]).ray;
+    }
 }
 
 template class CameraBatch<float>;

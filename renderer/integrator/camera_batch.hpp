@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "renderer/integrator/column_loops.hpp"
 #include "renderer/integrator/columns.hpp"
@@ -26,9 +27,11 @@ struct SampleCursor {
 
     explicit SampleCursor(const Tile& tile) : place(pixel_in_blocks(tile, 0)) {}
     [[nodiscard]] bool at_end(const Tile& tile) const { return pixel >= tile.pixels(); }
-    void advance(const Tile& tile, std::uint32_t samples_per_pixel) {
-        ++number;
-        if (++sample < samples_per_pixel) return;
+    /// By `count` samples of the pixel, at most as many as it still has.
+    void advance(const Tile& tile, std::uint32_t samples_per_pixel, std::uint32_t count = 1) {
+        number += count;
+        sample += count;
+        if (sample < samples_per_pixel) return;
         sample = 0;
         if (++pixel < tile.pixels()) place = pixel_in_blocks(tile, pixel);
     }
@@ -40,14 +43,13 @@ class CameraBatch {
     /// Both must outlive this.
     CameraBatch(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
 
-    /// Begins the next samples, `most` of them or as many as there are, but at most kBatchSize.
-    /// Gives their number.
-    std::size_t begin(const Tile& tile, std::size_t most);
+    /// Begins the next samples, `most` of them or as many as there are, but at most kBatchSize, and
+    /// makes `rays` theirs. The same vector each time: what all rays have in common stays in it.
+    void begin(const Tile& tile, std::size_t most, std::vector<Ray<T>>& rays);
     /// The next one to begin.
     [[nodiscard]] const SampleCursor& next() const { return next_; }
 
     // Of the samples begun last, by their place in the batch.
-    [[nodiscard]] const Ray<T>& ray(std::size_t i) const { return rays_[i]; }
     [[nodiscard]] PixelPlace place(std::size_t i) const { return places_[i]; }
     [[nodiscard]] std::uint32_t sample(std::size_t i) const { return columns_->sample[i]; }
     [[nodiscard]] Sampler sampler(std::size_t i) const {
@@ -55,6 +57,7 @@ class CameraBatch {
     }
 
   private:
+    std::size_t choose(const Tile& tile, std::size_t most);
     void place_in_pixels(std::size_t count);
 
     const ShadingScene<T>* scene_;
@@ -65,7 +68,7 @@ class CameraBatch {
     SampleCursor next_;
     std::unique_ptr<CameraColumns<T>> columns_;
     std::array<PixelPlace, kBatchSize> places_;
-    std::array<Ray<T>, kBatchSize> rays_;  ///< what all have in common is there from the beginning
+    Ray<T> any_;  ///< of the simple ones
 };
 
 }  // namespace cobble::renderer

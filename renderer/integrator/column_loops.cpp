@@ -2,6 +2,7 @@
 #include "renderer/integrator/column_loops.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "renderer/intersect/surface_forms.hpp"
 #include "renderer/sampling/sobol.hpp"
@@ -184,10 +185,10 @@ struct Lit {
         answers.share.set(i, left);
         answers.matters[i] = left.x == T(0) && left.y == T(0) && left.z == T(0) ? 0 : 1;
     }
-    void set_way(LightColumns<T>& answers, std::size_t i, const Start<T>& start,
+    void set_way(LightColumns<T>& answers, std::size_t i, bool outward, math::Vec3<T> from,
                  const Way<T>& way) const {
-        answers.from.set(i, start.origin);
-        answers.outward[i] = start.outward ? 1 : 0;
+        answers.from.set(i, from);
+        answers.outward[i] = outward ? 1 : 0;
         answers.way.set(i, way.direction);
         answers.t_max[i] = way.t_max;
     }
@@ -199,11 +200,11 @@ COBBLE_LOOP void ask_with_shadows_to_target(const HitColumns<T>& __restrict hits
                                             std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const Lit<T> lit(hits, answers, i);
-        const Start<T> start =
-            start_off(lit.position, lit.geometric, lit.error, lit.target - lit.position);
-        const Way<T> way = way_to(start.origin, lit.target, lit.geometric);
+        const bool outward = goes_outward(lit.target - lit.position, lit.geometric);
+        const math::Vec3<T> from = start_off(lit.position, lit.geometric, lit.error, outward);
+        const Way<T> way = way_to(from, lit.target, lit.geometric);
         lit.set_share(answers, i, true);
-        lit.set_way(answers, i, start, way);
+        lit.set_way(answers, i, outward, from, way);
     }
 }
 
@@ -213,9 +214,10 @@ COBBLE_LOOP void ask_with_shadows_in_direction(const HitColumns<T>& __restrict h
                                                std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const Lit<T> lit(hits, answers, i);
-        const Start<T> start = start_off(lit.position, lit.geometric, lit.error, lit.direction);
+        const bool outward = goes_outward(lit.direction, lit.geometric);
+        const math::Vec3<T> from = start_off(lit.position, lit.geometric, lit.error, outward);
         lit.set_share(answers, i, true);
-        lit.set_way(answers, i, start, {lit.direction, std::numeric_limits<T>::infinity()});
+        lit.set_way(answers, i, outward, from, {lit.direction, std::numeric_limits<T>::infinity()});
     }
 }
 
@@ -228,12 +230,14 @@ COBBLE_LOOP void ask_without_shadows(const HitColumns<T>& __restrict hits,
 }
 
 template <typename T>
-void set_child(ChildColumns<T>& children, std::size_t i, const Start<T>& start,
-               math::Vec3<T> direction, math::Vec3<T> weight, bool there) {
-    children.from.set(i, start.origin);
+void set_child(ChildColumns<T>& children, std::size_t i, math::Vec3<T> position,
+               math::Vec3<T> geometric, T error, math::Vec3<T> direction, math::Vec3<T> weight,
+               bool there) {
+    const bool outward = goes_outward(direction, geometric);
+    children.from.set(i, start_off(position, geometric, error, outward));
     children.direction.set(i, direction);
     children.weight.set(i, weight);
-    children.outward[i] = start.outward ? 1 : 0;
+    children.outward[i] = outward ? 1 : 0;
     const bool nothing = weight.x == T(0) && weight.y == T(0) && weight.z == T(0);
     children.matters[i] = there && !nothing ? 1 : 0;
 }
@@ -266,13 +270,33 @@ COBBLE_LOOP void scatter(const SurfaceSlots<T>& __restrict slots,
             reflectance = see_through ? through.reflectance : T(1);
             const math::Vec3<T> on = keep_above(through.direction, -viewer_geometric);
             rays.index_beyond[i] = index;
-            set_child(rays.refracted, i, start_off(position, geometric, error, on), on,
+            set_child(rays.refracted, i, position, geometric, error, on,
                       tint * (T(1) - reflectance), see_through && !through.total);
         }
         const math::Vec3<T> back = keep_above(reflect(direction, viewer_normal), viewer_geometric);
-        set_child(rays.reflected, i, start_off(position, geometric, error, back), back,
-                  tint * reflectance, true);
+        set_child(rays.reflected, i, position, geometric, error, back, tint * reflectance, true);
     }
+}
+
+template <typename T>
+COBBLE_LOOP void add_ambient(math::Vec3<T> ambient, const HitColumns<T>& hits, Columns3<T>& colors,
+                             std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        colors.set(i, ambient * hits.kd.at(i) + hits.light.at(i));
+    }
+}
+
+template <typename T>
+COBBLE_LOOP bool all_finite(const Columns3<T>& values, std::size_t count) {
+    constexpr T kMost = std::numeric_limits<T>::max();
+    std::uint32_t unsound = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const math::Vec3<T> v = values.at(i);
+        const bool sound =
+            std::fabs(v.x) <= kMost && std::fabs(v.y) <= kMost && std::fabs(v.z) <= kMost;
+        unsound |= sound ? 0U : 1U;
+    }
+    return unsound == 0;
 }
 
 template <typename T>
@@ -291,6 +315,8 @@ const ColumnLoops<T>& loops() {
         ask_without_shadows<T>,
         scatter<false, T>,
         scatter<true, T>,
+        add_ambient<T>,
+        all_finite<T>,
     };
     return kLoops;
 }

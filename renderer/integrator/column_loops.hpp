@@ -41,6 +41,11 @@ struct ColumnLoops {
     using Scatter = void (*)(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
                              ScatterColumns<T>& rays, std::size_t count);
     Scatter scatter_mirror, scatter_glass;
+
+    /// ambient kd + light, into `colors`, which may be the light's own columns.
+    void (*add_ambient)(math::Vec3<T> ambient, const HitColumns<T>& hits, Columns3<T>& colors,
+                        std::size_t count);
+    bool (*all_finite)(const Columns3<T>& values, std::size_t count);
 };
 
 /// By the best instruction set that the processor has, or use_instruction_set()'s.

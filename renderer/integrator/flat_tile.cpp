@@ -31,12 +31,13 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
-    const std::size_t count = camera_.begin(work.tile, kBatchSize);
     RayBatch<T>& rays = batch_.rays();
-    rays.clear();
-    for (std::size_t i = 0; i < count; ++i) rays.add(camera_.ray(i), {});
+    camera_.begin(work.tile, kBatchSize, rays.rays);
+    rays.excludes.resize(rays.size());
+    rays.asked = 0;
+    rays.stretches.clear();
     rays.end_stretch(Coherence::kCoherent);
-    work.counters.camera_rays += count;
+    work.counters.camera_rays += rays.size();
     batch_.begin();
     on_its_way_ = true;
 }
@@ -45,26 +46,44 @@ template <typename T>
 bool FlatTile<T>::add(std::size_t lane) {
     // As bring_back() adds it: a sum begins with 0.
     Sample sample;
-    sample.color += batch_.color(lane).template to<double>();
+    sample.color += batch_.colors().at(lane).template to<double>();
     if (only_color_) return sums_.add_color(sample.color);
     see_first(sample, batch_.shading().encounter(lane));
     return sums_.add(sample);
 }
 
 template <typename T>
+void FlatTile<T>::add_one_by_one(TileWork& work, std::size_t first, std::size_t end) {
+    for (std::size_t lane = first; lane < end; ++lane) {
+        if (add(lane)) continue;
+        const PixelPlace at = camera_.place(lane);
+        work.report(
+            bad_sample(*scene_->source, at.x, at.y, camera_.sample(lane), batch_.hit(lane).object));
+    }
+}
+
+template <typename T>
 void FlatTile<T>::land(TileWork& work, Film& film) {
     const std::size_t count = batch_.rays().size();
     const std::uint32_t samples = std::max(settings_->samples, 1U);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        const PixelPlace at = camera_.place(lane);
-        if (!add(lane)) {
-            work.report(bad_sample(*scene_->source, at.x, at.y, camera_.sample(lane),
-                                   batch_.hit(lane).object));
+    const Columns3<T>& colors = batch_.colors();
+    const bool together = only_color_ && batch_.shading().finite_colors(colors, count);
+    for (std::size_t lane = 0; lane < count;) {
+        const std::uint32_t first = camera_.sample(lane);
+        const auto of_pixel =
+            static_cast<std::uint32_t>(std::min<std::size_t>(count - lane, samples - first));
+        if (together) {
+            sums_.add_colors(colors.x + lane, colors.y + lane, colors.z + lane, of_pixel);
+        } else {
+            add_one_by_one(work, lane, lane + of_pixel);
         }
-        if (camera_.sample(lane) + 1 < samples) continue;
-        film.set_pixel(at.x, at.y, sums_.pixel());
-        sums_ = {};
-        ++work.pixels_done;
+        if (first + of_pixel == samples) {
+            const PixelPlace at = camera_.place(lane);
+            film.set_pixel(at.x, at.y, sums_.pixel());
+            sums_ = {};
+            ++work.pixels_done;
+        }
+        lane += of_pixel;
     }
     work.samples_done += count;
     on_its_way_ = false;

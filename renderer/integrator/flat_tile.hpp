@@ -27,6 +27,7 @@ class FlatTile final : public PausedWork {
     void begin(TileWork& work);
     void land(TileWork& work, Film& film);
     bool add(std::size_t lane);
+    void add_one_by_one(TileWork& work, std::size_t first, std::size_t end);
 
     const ShadingScene<T>* scene_;
     const Settings* settings_;

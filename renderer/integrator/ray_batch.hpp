@@ -44,12 +44,16 @@ struct RayBatch {
         excludes.push_back(exclude);
     }
     /// What was added since the last stretch is one.
-    void end_stretch(Coherence coherence) {
-        if (!stretches.empty() && stretches.back().coherence == coherence &&
-            coherence == Coherence::kNone) {
-            stretches.back().end = size();
-        } else if (stretches.empty() ? !empty() : stretches.back().end < size()) {
-            stretches.push_back({size(), coherence});
+    void end_stretch(Coherence coherence) { end_stretch_at(size(), coherence); }
+    /// The next stretch ends with ray `end` - 1; none if it is empty.
+    void end_stretch_at(std::size_t end, Coherence coherence) {
+        if (end == (stretches.empty() ? 0 : stretches.back().end)) return;
+        const bool joins = !stretches.empty() && coherence == Coherence::kNone &&
+                           stretches.back().coherence == coherence;
+        if (joins) {
+            stretches.back().end = end;
+        } else {
+            stretches.push_back({end, coherence});
         }
     }
 };

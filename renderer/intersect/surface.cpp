@@ -350,13 +350,12 @@ SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, con
 
 template <typename T>
 Departure<T> leave(const SurfacePoint<T>& surface, math::Vec3<T> direction, T time) {
-    const Start<T> start =
-        start_off(surface.position, surface.geometric_normal, surface.error, direction);
+    const bool outward = goes_outward(direction, surface.geometric_normal);
     Departure<T> d;
-    d.ray.origin = start.origin;
+    d.ray.origin = start_off(surface.position, surface.geometric_normal, surface.error, outward);
     d.ray.direction = direction;
     d.ray.time = time;
-    d.exclude = {surface.object, surface.face, !start.outward};
+    d.exclude = {surface.object, surface.face, !outward};
     return d;
 }
 

@@ -87,21 +87,20 @@ double rounding_error(math::Vec3d normal, math::Vec3d position) {
                         {std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)});
 }
 
-/// Where a ray that leaves a surface starts. `away` times the error is one bound to reach the
-/// surface, one for the rounding of the sum (it is as large as that of the position, or smaller),
-/// and a quarter so that products of roundings do not matter.
+/// Whether a direction points to the side of the geometric normal.
 template <typename T>
-struct Start {
-    math::Vec3<T> origin;
-    bool outward = false;  ///< on the side of the geometric normal
-};
+bool goes_outward(math::Vec3<T> direction, math::Vec3<T> geometric_normal) {
+    return dot(direction, geometric_normal) >= T(0);
+}
 
+/// Where a ray that leaves a surface starts: off it by one bound to reach the surface, one for the
+/// rounding of the sum (it is as large as that of the position, or smaller), and a quarter so that
+/// products of roundings do not matter.
 template <typename T>
-Start<T> start_off(math::Vec3<T> position, math::Vec3<T> geometric_normal, T error,
-                   math::Vec3<T> direction) {
-    const bool outward = dot(direction, geometric_normal) >= T(0);
+math::Vec3<T> start_off(math::Vec3<T> position, math::Vec3<T> geometric_normal, T error,
+                        bool outward) {
     const T away = error * T(2.25);
-    return {position + geometric_normal * (outward ? away : -away), outward};
+    return position + geometric_normal * (outward ? away : -away);
 }
 
 /// A ray's direction and end.
