@@ -31,8 +31,9 @@ void fill(std::vector<Block>& blocks, const std::vector<LeafRange>& ranges,
           const std::vector<BuildItem<T>>& items, std::span<const Primitive> primitives) {
     blocks.resize(ranges.size());
     for (std::size_t b = 0; b < ranges.size(); ++b) {
-        for (std::uint32_t lane = 0; lane < ranges[b].count; ++lane) {
-            set_lane(blocks[b], lane, primitives[items[ranges[b].first + lane].index]);
+        for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+            const std::uint32_t from = lane < ranges[b].count ? lane : 0;
+            set_lane(blocks[b], lane, primitives[items[ranges[b].first + from].index]);
         }
     }
 }

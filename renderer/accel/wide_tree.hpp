@@ -19,27 +19,42 @@ namespace cobble::renderer {
 class ChildRef {
   public:
     static constexpr std::uint32_t kMostIndex = (1U << 27) - 1;
+    /// A node's size in units of its alignment: a node is found by a shift alone.
+    static constexpr std::uint32_t kNodeUnits = 7;
 
     constexpr ChildRef() = default;
-    static constexpr ChildRef inner(std::uint32_t node) { return ChildRef(node); }
+    /// `node` is at most kMostNode.
+    static constexpr ChildRef inner(std::uint32_t node) { return ChildRef(node * kNodeUnits); }
+    static constexpr std::uint32_t kMostNode = ((1U << 29) - 1) / kNodeUnits;
     /// `index` is a block for triangles and spheres, else the primitive. `count` is 1 to 4.
     static constexpr ChildRef leaf(PrimitiveKind kind, std::uint32_t index, std::uint32_t count) {
         return ChildRef((static_cast<std::uint32_t>(kind) + 1) << 29 | (count - 1) << 27 | index);
     }
 
+    /// None of these: what a walk finds when nothing waits any more.
+    static constexpr ChildRef end() { return ChildRef(~0U); }
+
     [[nodiscard]] constexpr bool is_inner() const { return bits_ >> 29 == 0; }
+    [[nodiscard]] constexpr bool is_end() const { return bits_ == ~0U; }
     [[nodiscard]] constexpr PrimitiveKind kind() const {
         return static_cast<PrimitiveKind>((bits_ >> 29) - 1);
     }
     [[nodiscard]] constexpr std::uint32_t count() const { return (bits_ >> 27 & 3) + 1; }
     [[nodiscard]] constexpr std::uint32_t index() const { return bits_ & kMostIndex; }
     [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
+    /// Of an inner one.
+    template <typename Node>
+    [[nodiscard]] const Node& node_in(const Node* nodes) const {
+        static_assert(sizeof(Node) == kNodeUnits * alignof(Node));
+        return *reinterpret_cast<const Node*>(reinterpret_cast<const char*>(nodes) +
+                                              std::size_t{bits_} * alignof(Node));
+    }
 
   private:
     explicit constexpr ChildRef(std::uint32_t bits) : bits_(bits) {}
     std::uint32_t bits_;  // no value of its own: stacks of hundreds are made for each ray
 };
-static_assert(kPrimitiveKinds < 8);
+static_assert(kPrimitiveKinds < 7);
 
 /// Eight boxes, a lane each. 224 bytes in float: three and a half cache lines. An empty slot's box
 /// is inside out and never met.
@@ -53,7 +68,8 @@ struct alignas(8 * sizeof(T)) WideNode {
 
 inline constexpr std::size_t kBlockLanes = 4;
 
-/// Up to four triangles; what the lanes behind the last hold has no meaning.
+/// Up to four triangles. The lanes behind the last repeat the first, so that a test of all four
+/// finds no more than is there.
 template <typename T>
 struct alignas(4 * sizeof(T)) TriangleBlock {
     T vertices[3][3][kBlockLanes];  ///< corner, axis

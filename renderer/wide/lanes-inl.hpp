@@ -22,6 +22,29 @@ namespace cobble::renderer::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Which of a node's six rows of bounds a ray comes to first, and to last, on each axis: where in
+/// the node they begin, in bytes.
+struct SlabRows {
+    std::uint32_t near[3], far[3];
+};
+
+/// `signs`: a bit for each axis along which the ray runs backward.
+template <typename T>
+constexpr SlabRows slab_rows_of(std::uint32_t signs) {
+    constexpr auto kRow = static_cast<std::uint32_t>(WideNode<T>::kWidth * sizeof(T));
+    SlabRows rows{};
+    for (std::uint32_t a = 0; a < 3; ++a) {
+        const bool negative = (signs >> a & 1) != 0;
+        rows.near[a] = (negative ? a + 3 : a) * kRow;
+        rows.far[a] = (negative ? a : a + 3) * kRow;
+    }
+    return rows;
+}
+template <typename T>
+inline constexpr SlabRows kSlabRows[8] = {
+    slab_rows_of<T>(0), slab_rows_of<T>(1), slab_rows_of<T>(2), slab_rows_of<T>(3),
+    slab_rows_of<T>(4), slab_rows_of<T>(5), slab_rows_of<T>(6), slab_rows_of<T>(7)};
+
 /// A ray's slabs with a copy in each lane.
 template <typename T>
 struct SlabLanes {
@@ -29,18 +52,7 @@ struct SlabLanes {
     using V = hn::Vec<D>;
 
     V origin[3], inverse[3], inverse_far[3];
-    std::size_t near[3], far[3];  ///< which of a node's six rows of bounds come first and last
-
-    explicit SlabLanes(const RaySlabs<T>& ray) {
-        const D d;
-        for (std::size_t a = 0; a < 3; ++a) {
-            origin[a] = hn::Set(d, ray.origin[a]);
-            inverse[a] = hn::Set(d, ray.inverse[a]);
-            inverse_far[a] = hn::Set(d, ray.inverse_far[a]);
-            near[a] = ray.negative[a] ? a + 3 : a;
-            far[a] = ray.negative[a] ? a : a + 3;
-        }
-    }
+    const SlabRows* rows;
 };
 
 template <class D>
@@ -50,14 +62,26 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
-/// A bit for each slot whose box the ray meets in [t_min, t_best], and where it begins to. The
-/// arithmetic of slab_span(), so that it is monotone with it.
+/// What a ray spans of a node's boxes.
+template <typename T>
+struct NodeSpans {
+    alignas(64) T begins[WideNode<T>::kWidth];
+    alignas(64) T ends[WideNode<T>::kWidth];
+};
+
+/// A bit for each slot whose box the ray meets in [t_min, t_best], and what it spans of it. The
+/// arithmetic of slab_span(), so that it is monotone with it. `parallel`: a flag for each axis that
+/// the ray runs beside; only for kParallel.
 template <bool kParallel, typename T>
-HWY_INLINE std::uint32_t node_hits(const WideNode<T>& node, const RaySlabs<T>& ray,
-                                   const SlabLanes<T>& lanes, T t_min, T t_best, T* begins) {
+HWY_INLINE std::uint32_t node_hits(const WideNode<T>& node, const SlabLanes<T>& ray,
+                                   const bool* parallel, T t_min, T t_best, NodeSpans<T>& spans) {
     using D = typename SlabLanes<T>::D;
     const D d;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const auto row = [&](std::uint32_t at, std::size_t part) HWY_ATTR {
+        const char* const bytes = reinterpret_cast<const char*>(node.bounds);
+        return hn::Load(d, reinterpret_cast<const T*>(bytes + at) + part);
+    };
     std::uint32_t bits = 0;
     for (std::size_t part = 0; part < WideNode<T>::kWidth; part += kLanes) {
         auto near = hn::Set(d, t_min);
@@ -65,24 +89,23 @@ HWY_INLINE std::uint32_t node_hits(const WideNode<T>& node, const RaySlabs<T>& r
         auto inside = hn::Eq(near, near);
         for (std::size_t a = 0; a < 3; ++a) {
             if constexpr (kParallel) {
-                if (ray.parallel[a]) {
+                if (parallel[a]) {
                     inside = hn::And(
                         inside,
-                        hn::And(hn::Le(hn::Load(d, node.bounds[a] + part), lanes.origin[a]),
-                                hn::Ge(hn::Load(d, node.bounds[a + 3] + part), lanes.origin[a])));
+                        hn::And(hn::Le(hn::Load(d, node.bounds[a] + part), ray.origin[a]),
+                                hn::Ge(hn::Load(d, node.bounds[a + 3] + part), ray.origin[a])));
                     continue;
                 }
             }
-            near = hn::Max(near, hn::Mul(hn::Sub(hn::Load(d, node.bounds[lanes.near[a]] + part),
-                                                 lanes.origin[a]),
-                                         lanes.inverse[a]));
-            far = hn::Min(far, hn::Mul(hn::Sub(hn::Load(d, node.bounds[lanes.far[a]] + part),
-                                               lanes.origin[a]),
-                                       lanes.inverse_far[a]));
+            near = hn::Max(near, hn::Mul(hn::Sub(row(ray.rows->near[a], part), ray.origin[a]),
+                                         ray.inverse[a]));
+            far = hn::Min(far, hn::Mul(hn::Sub(row(ray.rows->far[a], part), ray.origin[a]),
+                                       ray.inverse_far[a]));
         }
         auto met = hn::Le(near, far);
         if constexpr (kParallel) met = hn::And(met, inside);
-        hn::Store(near, d, begins + part);
+        hn::Store(near, d, spans.begins + part);
+        hn::Store(far, d, spans.ends + part);
         bits |= bits_of(d, met) << part;
     }
     return bits;

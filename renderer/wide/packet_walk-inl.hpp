@@ -221,7 +221,7 @@ void test_planes(const Geometry<float>& g, Packet& p) {
 struct WaitingPart {
     float near;
     ChildRef child;
-    std::uint32_t parent;  ///< the node whose slot it is
+    const WideNode<float>* parent;  ///< the node whose slot it is
     std::uint8_t slot;
     std::uint8_t group;  ///< no group before this one meets it
 };
@@ -243,14 +243,14 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
     constexpr std::size_t kWidth = WideNode<float>::kWidth;
     WaitingPart stack[kMaxTreeDepth * (kWidth - 1) + kWidth];
     std::size_t waiting = 0;
-    stack[waiting++] = {p.least_t_min, ChildRef::inner(0), 0, 0, 0};
+    stack[waiting++] = {p.least_t_min, ChildRef::inner(0), nullptr, 0, 0};
     float bound = greatest_bound(p);
     std::uint64_t steps = 0;
     while (waiting != 0) {
         const WaitingPart at = stack[--waiting];
         if (at.near > bound) continue;
         if (at.child.is_inner()) {
-            const WideNode<float>& node = tree.nodes[at.child.index()];
+            const WideNode<float>& node = at.child.node_in(tree.nodes.data());
             ++steps;
             alignas(64) float begins[kWidth];
             std::uint32_t bits = interval_hits(node, p, bound, begins);
@@ -261,7 +261,7 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
                 std::size_t group = at.group;
                 while (group < Packet::kGroups && group_hits(node, slot, p, group) == 0) ++group;
                 if (group == Packet::kGroups) continue;
-                const WaitingPart next{begins[slot], node.child[slot], at.child.index(),
+                const WaitingPart next{begins[slot], node.child[slot], &node,
                                        static_cast<std::uint8_t>(slot),
                                        static_cast<std::uint8_t>(group)};
                 std::size_t place = waiting++;
@@ -273,7 +273,7 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
             }
             continue;
         }
-        const WideNode<float>& parent = tree.nodes[at.parent];
+        const WideNode<float>& parent = *at.parent;
         for (std::size_t group = at.group; group < Packet::kGroups; ++group) {
             std::uint32_t bits = group_hits(parent, at.slot, p, group);
             if (bits == 0) continue;

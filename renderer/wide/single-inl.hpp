@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,23 +25,26 @@ HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
 template <bool kAny, bool kParallel, typename T>
-HWY_INLINE void search_mesh(const WideTree<T>& tree, const RayForms<T>& ray, ir::ObjectId object,
-                            Search<T>& search) {
+HWY_INLINE void search_mesh(const WideTree<T>& tree, const RayLanes<T>& ray,
+                            FormsOnDemand<T>& forms, ir::ObjectId object, Search<T>& search) {
     walk_wide<kAny, kParallel>(
-        tree, static_cast<const ir::ObjectId*>(nullptr), ray,
+        tree, NoBoxSlots(), ray, forms,
         search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
-            test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), object, ray,
-                                        search);
+            return at.is_end() ||
+                   test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), object, ray,
+                                               forms, search);
         });
 }
 
 template <bool kAny, typename T>
 HWY_NOINLINE void search_placed_mesh(const WideTree<T>& tree, const RayForms<T>& ray,
                                      ir::ObjectId object, Search<T>& search) {
+    FormsOnDemand<T> forms(ray);
+    const RayLanes<T> lanes(ray);
     if (ray.slabs.any_parallel) {
-        search_mesh<kAny, true>(tree, ray, object, search);
+        search_mesh<kAny, true>(tree, lanes, forms, object, search);
     } else {
-        search_mesh<kAny, false>(tree, ray, object, search);
+        search_mesh<kAny, false>(tree, lanes, forms, object, search);
     }
 }
 
@@ -81,18 +85,19 @@ HWY_INLINE void test_leaf(const Geometry<T>& g, ChildRef at, const RayForms<T>& 
     }
 }
 
-template <bool kAny, bool kParallel, typename T>
-HWY_INLINE void search_world(const Geometry<T>& g, const RayForms<T>& ray, Search<T>& search) {
+template <bool kAny, bool kParallel, typename T, typename Boxes>
+HWY_INLINE void search_world(const Geometry<T>& g, Boxes boxes, const RayLanes<T>& ray,
+                             FormsOnDemand<T>& forms, Search<T>& search) {
     const WideTree<T>& tree = g.wide;
     walk_wide<kAny, kParallel>(
-        tree, g.box_objects.empty() ? nullptr : g.box_objects.data(), ray,
-        search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
+        tree, boxes, ray, forms, search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
             if (HWY_LIKELY(at.kind() == PrimitiveKind::kTriangle)) {
-                test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), {}, ray,
-                                            search);
-            } else {
-                test_leaf<kAny>(g, at, ray, search);
+                return test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), {}, ray,
+                                                   forms, search);
             }
+            if (kAny && at.is_end()) return true;
+            test_leaf<kAny>(g, at, forms.get(), search);
+            return kAny && search.best.object.valid();
         });
 }
 
@@ -107,18 +112,75 @@ Search<T> begin_search(const Ray<T>& ray, const Exclude& exclude) {
     return search;
 }
 
+/// False if nothing is left to look for.
 template <bool kAny, typename T>
-HWY_INLINE Search<T> search_one(const Geometry<T>& g, const Ray<T>& ray, const Exclude& exclude) {
-    Search<T> search = begin_search(ray, exclude);
-    const RayForms<T> forms(ray.origin, ray.direction);
-    for (const MovingPrimitive& plane : g.planes) test_plane(g, forms, plane, search);
-    if (kAny && search.best.object.valid()) return search;
-    if (HWY_UNLIKELY(forms.slabs.any_parallel)) {
-        search_world<kAny, true>(g, forms, search);
+HWY_INLINE bool test_planes(const Geometry<T>& g, FormsOnDemand<T>& forms, Search<T>& search) {
+    for (const MovingPrimitive& plane : g.planes) test_plane(g, forms.get(), plane, search);
+    return !(kAny && search.best.object.valid());
+}
+
+/// A ray on its own, whatever its direction.
+template <bool kAny, typename T>
+HWY_NOINLINE void search_alone(const Geometry<T>& g, const Ray<T>& ray, Search<T>& search) {
+    const RayForms<T> made(ray.origin, ray.direction);
+    FormsOnDemand<T> forms(made);
+    if (!test_planes<kAny>(g, forms, search)) return;
+    const RayLanes<T> lanes(made);
+    const BoxSlots<T> boxes(g.box_objects.data());
+    if (made.slabs.any_parallel) {
+        search_world<kAny, true>(g, boxes, lanes, forms, search);
     } else {
-        search_world<kAny, false>(g, forms, search);
+        search_world<kAny, false>(g, boxes, lanes, forms, search);
     }
-    return search;
+}
+
+template <bool kAny, typename T, typename Boxes>
+void search_rows(const Geometry<T>& g, Boxes boxes, const Ray<T>* rays, const Exclude* excludes,
+                 std::size_t count, Hit<T>* hits, Counters& counters) {
+    const auto land = [&](const Search<T>& search, std::size_t i) {
+        hits[i] = search.best;
+        counters.box_tests += search.box_tests;
+        counters.primitive_tests += search.primitive_tests;
+    };
+    // Fewer than this are not worth the rows.
+    constexpr std::size_t kFew = 4;
+    for (std::size_t at = 0; at < count; at += RayRows<T>::kRays) {
+        const std::size_t some = std::min(RayRows<T>::kRays, count - at);
+        if (some < kFew) {
+            for (std::size_t i = at; i < count; ++i) {
+                Search<T> search = begin_search(rays[i], excludes[i]);
+                search_alone<kAny>(g, rays[i], search);
+                land(search, i);
+            }
+            return;
+        }
+        const RayRows<T> rows(rays + at, some);
+        for (std::size_t i = 0; i < some; ++i) {
+            const Ray<T>& ray = rays[at + i];
+            Search<T> search = begin_search(ray, excludes[at + i]);
+            if (HWY_UNLIKELY(rows.odd(i))) {
+                search_alone<kAny>(g, ray, search);
+            } else {
+                FormsOnDemand<T> forms(ray);
+                if (test_planes<kAny>(g, forms, search)) {
+                    search_world<kAny, false>(g, boxes, rows.lanes(i), forms, search);
+                }
+            }
+            land(search, at + i);
+        }
+    }
+}
+
+/// Rays that have nothing in common.
+template <bool kAny, typename T>
+void search_singly(const Geometry<T>& g, const Ray<T>* rays, const Exclude* excludes,
+                   std::size_t count, Hit<T>* hits, Counters& counters) {
+    if (g.box_objects.empty()) {
+        search_rows<kAny>(g, NoBoxSlots(), rays, excludes, count, hits, counters);
+    } else {
+        search_rows<kAny>(g, BoxSlots<T>(g.box_objects.data()), rays, excludes, count, hits,
+                          counters);
+    }
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE

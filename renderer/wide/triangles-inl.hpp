@@ -19,6 +19,7 @@
 #include "renderer/accel/wide_tree.hpp"
 #include "renderer/query/query.hpp"
 #include "renderer/wide/lanes-inl.hpp"
+#include "renderer/wide/ray_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
@@ -102,50 +103,74 @@ struct BlockHits {
     alignas(32) T points[3][2][kBlockLanes];  ///< of the open ones: corner, sheared x and y
 };
 
+/// The lanes of a block that hold what a ray has just left.
+template <typename T>
+HWY_INLINE std::uint32_t left_lanes(const TriangleBlock<T>& block, ir::ObjectId placed,
+                                    const Exclude& exclude) {
+    using D = hn::CappedTag<std::uint32_t, kBlockLanes>;
+    const D d;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const auto object = hn::Set(d, exclude.object.value);
+    const auto face = hn::Set(d, exclude.face);
+    std::uint32_t bits = 0;
+    for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
+        const auto of =
+            placed.valid() ? hn::Set(d, placed.value) : hn::Load(d, &block.object[part].value);
+        const auto same = hn::And(hn::Eq(of, object), hn::Eq(hn::Load(d, block.face + part), face));
+        bits |= bits_of(d, same) << part;
+    }
+    return bits;
+}
+
 template <bool kParallel, typename T>
-HWY_INLINE void test_edges(const TriangleBlock<T>& block, const RayForms<T>& ray, T t_min, T t_best,
-                           BlockHits<T>& hits) {
+HWY_INLINE void test_edges(const TriangleBlock<T>& block, ir::ObjectId placed,
+                           const RayLanes<T>& ray, const Search<T>& search, BlockHits<T>& hits) {
     using D = hn::CappedTag<T, kBlockLanes>;
     const D d;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
-    const RayShear<T>& s = ray.shear;
+    const ShearAxes s = ray.axes;
     const auto most = hn::Set(d, std::numeric_limits<T>::max());
-    const ShearLanes<hn::Vec<D>> shear{hn::Set(d, s.origin[s.kx]), hn::Set(d, s.origin[s.ky]),
-                                       hn::Set(d, s.origin[s.kz]), hn::Set(d, s.sx),
-                                       hn::Set(d, s.sy)};
+    const ShearLanes<hn::Vec<D>> shear{hn::Set(d, ray.origin[s.x]), hn::Set(d, ray.origin[s.y]),
+                                       hn::Set(d, ray.origin[s.z]), hn::Set(d, ray.sx),
+                                       hn::Set(d, ray.sy)};
     for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
         const auto corner = [&](std::size_t i, std::size_t axis)
                                 HWY_ATTR { return hn::Load(d, block.vertices[i][axis] + part); };
         const auto [ax, ay, bx, by, cx, cy, u, v, w, error] =
-            edges_of(d, shear, s.kx, s.ky, s.kz, corner);
+            edges_of(d, shear, s.x, s.y, s.z, corner);
         auto open = hn::Not(surely_outside(d, u, v, w, error));
-        if (HWY_LIKELY(hn::AllFalse(d, open))) continue;
+        std::uint32_t left = bits_of(d, open) << part;
+        if (HWY_LIKELY(left == 0)) continue;
+        // A ray that leaves a surface always comes by here.
+        left &= ~left_lanes(block, placed, search.exclude);
+        if (left == 0) continue;
 
         auto near = hn::Set(d, std::numeric_limits<T>::lowest());
         auto far = most;
         for (std::size_t a = 0; a < 3; ++a) {
             const auto lo = hn::Min(hn::Min(corner(0, a), corner(1, a)), corner(2, a));
             const auto hi = hn::Max(hn::Max(corner(0, a), corner(1, a)), corner(2, a));
-            const auto o = hn::Set(d, ray.slabs.origin[a]);
+            const auto o = hn::Set(d, ray.origin[a]);
             if constexpr (kParallel) {
-                if (ray.slabs.parallel[a]) {
+                if (ray.parallel[a]) {
                     open = hn::And(open, hn::And(hn::Le(lo, o), hn::Ge(hi, o)));
                     continue;
                 }
             }
-            const bool negative = ray.slabs.negative[a];
-            near = hn::Max(
-                near, hn::Mul(hn::Sub(negative ? hi : lo, o), hn::Set(d, ray.slabs.inverse[a])));
-            far = hn::Min(
-                far, hn::Mul(hn::Sub(negative ? lo : hi, o), hn::Set(d, ray.slabs.inverse_far[a])));
+            const bool negative = (ray.signs >> a & 1) != 0;
+            near = hn::Max(near, hn::Mul(hn::Sub(negative ? hi : lo, o),
+                                         hn::Set(d, ray.inverse[a * ray.stride])));
+            far = hn::Min(far, hn::Mul(hn::Sub(negative ? lo : hi, o),
+                                       hn::Set(d, ray.inverse_far[a * ray.stride])));
         }
-        const auto min = hn::Set(d, t_min);
-        const auto best = hn::Set(d, t_best);
+        const auto min = hn::Set(d, search.t_min);
+        const auto best = hn::Set(d, search.best.t);
         open = hn::And(hn::And(open, hn::Le(near, far)),
                        hn::And(hn::Gt(far, min), hn::Le(near, best)));
-        if (hn::AllFalse(d, open)) continue;
+        left &= bits_of(d, open) << part;
+        if (left == 0) continue;
         const auto sure = hn::And(open, surely_inside(d, u, v, w));
-        hits.open |= bits_of(d, open) << part;
+        hits.open |= left;
         hits.sure |= bits_of(d, sure) << part;
         hits.inside |= bits_of(d, hn::And(sure, hn::And(hn::Gt(near, min), hn::Lt(far, best))))
                        << part;
@@ -180,31 +205,32 @@ HWY_NOINLINE void offer_lane(const TriangleBlock<T>& block, std::size_t lane,
     search.offer(clamp_to(span, hit->t), object, face, hit->u, hit->v);
 }
 
-/// Any hit that is sure needs no t: its place in the order is not asked.
+/// True if any hit is asked for and found. One that is sure needs no t: its place in the order is
+/// not asked.
 template <bool kAny, bool kParallel, typename T>
-HWY_INLINE void test_block(const TriangleBlock<T>& block, std::uint32_t count, ir::ObjectId placed,
-                           const RayForms<T>& ray, Search<T>& search) {
+HWY_INLINE bool test_block(const TriangleBlock<T>& block, std::uint32_t count, ir::ObjectId placed,
+                           const RayLanes<T>& ray, FormsOnDemand<T>& forms, Search<T>& search) {
     search.primitive_tests += count;
     BlockHits<T> hits;
-    test_edges<kParallel>(block, ray, search.t_min, search.best.t, hits);
+    test_edges<kParallel>(block, placed, ray, search, hits);
     std::uint32_t bits = hits.open & ((1U << count) - 1);
     while (bits != 0) {
         const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
         bits &= bits - 1;
         const ir::ObjectId object = placed.valid() ? placed : block.object[lane];
         const std::uint32_t face = block.face[lane];
-        if (object == search.exclude.object && face == search.exclude.face) continue;
         if constexpr (kAny) {
             if ((hits.inside >> lane & 1) != 0 && search.instance_near < search.best.t) {
                 search.best.object = object;
-                return;
+                return true;
             }
         }
-        offer_lane(block, lane, hits, object, face, ray, search);
+        offer_lane(block, lane, hits, object, face, forms.get(), search);
         if constexpr (kAny) {
-            if (search.best.object.valid()) return;
+            if (search.best.object.valid()) return true;
         }
     }
+    return false;
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk of one ray through a tree: nearest child first, on a stack of its own.
+// The walk of one ray through a tree, on a stack of its own.
 //
 // Read again for each instruction set, so that its guard is Highway's and not a pragma.
 #if defined(COBBLE_WALK_INL) == defined(HWY_TARGET_TOGGLE)
@@ -13,14 +13,90 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "renderer/accel/tree.hpp"
 #include "renderer/accel/wide_tree.hpp"
 #include "renderer/query/query.hpp"
 #include "renderer/wide/lanes-inl.hpp"
+#include "renderer/wide/ray_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
+
+/// A tree without boxes of the scene.
+struct NoBoxSlots {
+    static constexpr bool kSome = false;
+
+    template <bool kAny, typename T>
+    HWY_INLINE std::uint32_t test(const WideNode<T>&, std::uint32_t bits, const NodeSpans<T>&,
+                                  FormsOnDemand<T>&, Search<T>&) {
+        return bits;
+    }
+    template <typename T>
+    HWY_INLINE void settle(FormsOnDemand<T>&, Search<T>&) const {}
+};
+
+/// Slots of a node that are boxes of the scene: whose they are, and the nearest one met so far,
+/// whose face is not computed yet.
+template <typename T>
+class BoxSlots {
+  public:
+    static constexpr bool kSome = true;
+
+    /// `objects`: of the boxes by their index.
+    explicit BoxSlots(const ir::ObjectId* objects) : objects_(objects) {}
+
+    /// Tests the slots among `bits` that are boxes, and gives the others. Where a ray surely meets
+    /// a box ahead of it, what it spans is what test_box() computes, and only the face waits.
+    template <bool kAny, typename>
+    HWY_INLINE std::uint32_t test(const WideNode<T>& node, std::uint32_t bits,
+                                  const NodeSpans<T>& spans, FormsOnDemand<T>& forms,
+                                  Search<T>& search) {
+        if (bits == 0) return 0;
+        std::uint32_t own = bits & box_slots(node);
+        bits &= ~own;
+        // The ends are widened, by less than this.
+        constexpr T kNarrowed = 1 - 16 * std::numeric_limits<T>::epsilon();
+        while (own != 0) {
+            const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(own);
+            own &= own - 1;
+            const ir::ObjectId object = objects_[node.child[slot].index()];
+            const T t = spans.begins[slot];
+            const bool left = object == search.exclude.object;
+            if (left && !search.exclude.goes_inside) continue;
+            if (HWY_UNLIKELY(left || !(t > search.t_min && t <= spans.ends[slot] * kNarrowed))) {
+                test_box(forms.get(), slot_bounds(node, slot), object, search);
+            } else {
+                ++search.primitive_tests;
+                if (t < search.best.t || (t == search.best.t && search.best.object.valid() &&
+                                          object < search.best.object)) {
+                    search.best.t = t;
+                    search.best.object = object;
+                    node_ = &node;
+                    slot_ = slot;
+                }
+            }
+            if (kAny && search.best.object.valid()) return 0;
+        }
+        return bits;
+    }
+
+    /// Computes what waits of the nearest box, unless something nearer has come after it.
+    template <typename>
+    HWY_INLINE void settle(FormsOnDemand<T>& forms, Search<T>& search) const {
+        if (node_ == nullptr) return;
+        const ir::ObjectId object = objects_[node_->child[slot_].index()];
+        if (!(object == search.best.object)) return;
+        const auto hit = intersect_box(forms.get().slabs, slot_bounds(*node_, slot_));
+        search.best = {hit->near, object, hit->near_face, 0, 0};
+    }
+
+  private:
+    const ir::ObjectId* objects_;
+    const WideNode<T>* node_ = nullptr;
+    std::size_t slot_ = 0;
+};
 
 template <typename T>
 struct WaitingChild {
@@ -28,14 +104,13 @@ struct WaitingChild {
     ChildRef child;
 };
 
-/// Walks one tree; `leaf(child)` is asked for each leaf that may hold a better hit. A slot that is
-/// a box of the scene is tested at once: `boxes` says whose it is, or is null if there are none.
-template <bool kAny, bool kParallel, typename T, typename Leaf>
-HWY_INLINE void walk_wide(const WideTree<T>& tree, const ir::ObjectId* boxes,
-                          const RayForms<T>& ray, Search<T>& search, Leaf leaf) {
+/// Walks one tree, the nearest child first; `leaf(child)` is asked for each leaf that may hold a
+/// better hit.
+template <bool kParallel, typename T, typename Boxes, typename Leaf>
+HWY_INLINE void walk_closest(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
+                             FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
     if (tree.nodes.empty()) return;
     constexpr std::size_t kWidth = WideNode<T>::kWidth;
-    const SlabLanes<T> lanes(ray.slabs);
     const WideNode<T>* const nodes = tree.nodes.data();
     WaitingChild<T> stack[kMaxTreeDepth * (kWidth - 1) + kWidth];
     WaitingChild<T>* top = stack;
@@ -43,38 +118,18 @@ HWY_INLINE void walk_wide(const WideTree<T>& tree, const ir::ObjectId* boxes,
     std::uint64_t steps = 0;
     for (;;) {
         if (HWY_LIKELY(at.is_inner())) {
-            const WideNode<T>& node = nodes[at.index()];
+            const WideNode<T>& node = at.node_in(nodes);
             ++steps;
-            alignas(64) T begins[kWidth];
-            std::uint32_t bits =
-                node_hits<kParallel>(node, ray.slabs, lanes, search.t_min, search.best.t, begins);
-            if (boxes != nullptr && bits != 0) {
-                std::uint32_t own = bits & box_slots(node);
-                bits &= ~own;
-                while (own != 0) {
-                    const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(own);
-                    own &= own - 1;
-                    test_box(ray, slot_bounds(node, slot), boxes[node.child[slot].index()], search);
-                    if (kAny && search.best.object.valid()) {
-                        search.box_tests += steps * kWidth;
-                        return;
-                    }
-                }
-            }
+            NodeSpans<T> spans;
+            std::uint32_t bits = node_hits<kParallel>(node, ray.slabs, ray.parallel, search.t_min,
+                                                      search.best.t, spans);
+            bits = boxes.template test<false, T>(node, bits, spans, forms, search);
             if (bits != 0) {
+                const T* const begins = spans.begins;
                 const auto first = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                 bits &= bits - 1;
                 at = node.child[first];
                 if (bits == 0) continue;
-                if constexpr (kAny) {
-                    // Any order will do: what is farther than the end has been left out already.
-                    do {
-                        const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                        bits &= bits - 1;
-                        *top++ = {search.t_min, node.child[slot]};
-                    } while (bits != 0);
-                    continue;
-                }
                 const auto second = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                 bits &= bits - 1;
                 const bool swapped = begins[second] < begins[first];
@@ -102,21 +157,102 @@ HWY_INLINE void walk_wide(const WideTree<T>& tree, const ir::ObjectId* boxes,
             }
         } else {
             leaf(at);
-            if constexpr (kAny) {
-                if (search.best.object.valid()) break;
-            }
         }
         // Strictly beyond the best: an equal t may still win by its object.
         do {
             if (top == stack) {
                 search.box_tests += steps * kWidth;
+                boxes.template settle<T>(forms, search);
                 return;
             }
             --top;
         } while (top->near > search.best.t);
         at = top->child;
     }
-    search.box_tests += steps * kWidth;
+}
+
+/// For each set of slots where they go on the stack: a byte for each, the set's first slots first.
+struct SlotOrder {
+    std::uint8_t slots[256][8];
+};
+constexpr SlotOrder make_slot_order() {
+    SlotOrder order{};
+    for (std::uint32_t bits = 0; bits < 256; ++bits) {
+        std::uint32_t n = 0;
+        for (std::uint8_t slot = 0; slot < 8; ++slot) {
+            if ((bits >> slot & 1) != 0) order.slots[bits][n++] = slot;
+        }
+    }
+    return order;
+}
+inline constexpr SlotOrder kSlotOrder = make_slot_order();
+
+/// Stores the children in `bits` one behind the other, and something behind them, eight in all.
+template <typename T>
+HWY_INLINE void store_children(const WideNode<T>& node, std::uint32_t bits, ChildRef* to) {
+    using D = hn::CappedTag<std::uint32_t, WideNode<T>::kWidth>;
+    const D d;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const auto* const from = reinterpret_cast<const std::uint32_t*>(node.child);
+    if constexpr (kLanes == WideNode<T>::kWidth) {
+        const hn::Rebind<std::uint8_t, D> du8;
+        const auto order = hn::PromoteTo(d, hn::Load(du8, kSlotOrder.slots[bits]));
+        const auto children = hn::TableLookupLanes(hn::Load(d, from), hn::IndicesFromVec(d, order));
+        hn::StoreU(children, d, reinterpret_cast<std::uint32_t*>(to));
+    } else {
+        for (; bits != 0; bits &= bits - 1) {
+            *to++ = node.child[hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
+        }
+    }
+}
+
+/// A walk that ends at the first hit, whichever it is: there is no order to keep, and so no branch
+/// for how many children are met. What is farther than the end is never on the stack. `leaf` is
+/// asked for ChildRef::end() too, at last, and says whether the walk is over.
+template <bool kParallel, typename T, typename Boxes, typename Leaf>
+HWY_INLINE void walk_any(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
+                         FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
+    if (tree.nodes.empty()) return;
+    constexpr std::size_t kWidth = WideNode<T>::kWidth;
+    const WideNode<T>* const nodes = tree.nodes.data();
+    // store_children() writes eight, of which the met ones count.
+    ChildRef stack[kMaxTreeDepth * (kWidth - 1) + 2 * kWidth + 1];
+    ChildRef* top = stack;
+    *top++ = ChildRef::end();
+    ChildRef at = ChildRef::inner(0);
+    std::uint64_t steps = 0;
+    for (;;) {
+        const WideNode<T>& node = at.node_in(nodes);
+        ++steps;
+        NodeSpans<T> spans;
+        std::uint32_t bits =
+            node_hits<kParallel>(node, ray.slabs, ray.parallel, search.t_min, search.best.t, spans);
+        bits = boxes.template test<true, T>(node, bits, spans, forms, search);
+        if (Boxes::kSome && search.best.object.valid()) {
+            search.box_tests += steps * kWidth;
+            return;
+        }
+        store_children(node, bits, top);
+        top += hwy::PopCount(bits);
+        at = *--top;
+        while (!at.is_inner()) {
+            if (leaf(at)) {
+                search.box_tests += steps * kWidth;
+                return;
+            }
+            at = *--top;
+        }
+    }
+}
+
+template <bool kAny, bool kParallel, typename T, typename Boxes, typename Leaf>
+HWY_INLINE void walk_wide(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
+                          FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
+    if constexpr (kAny) {
+        walk_any<kParallel>(tree, boxes, ray, forms, search, leaf);
+    } else {
+        walk_closest<kParallel>(tree, boxes, ray, forms, search, leaf);
+    }
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE

@@ -15,12 +15,8 @@ namespace cobble::renderer::HWY_NAMESPACE {
 template <bool kAny, typename T>
 void search_singly(const WideQuery<T>& q, std::size_t first, std::size_t count, Hit<T>* hits,
                    Counters& counters) {
-    for (std::size_t i = first; i < first + count; ++i) {
-        const Search<T> search = search_one<kAny>(*q.geometry, q.rays[i], q.excludes[i]);
-        hits[i] = search.best;
-        counters.box_tests += search.box_tests;
-        counters.primitive_tests += search.primitive_tests;
-    }
+    search_singly<kAny>(*q.geometry, q.rays + first, q.excludes + first, count, hits + first,
+                        counters);
 }
 
 template <bool kAny>
