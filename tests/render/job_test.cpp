@@ -70,14 +70,17 @@ TEST_CASE("steps keep their deadlines even where one sample outlasts them") {
         // Preparing is no step's work: on a busy machine it may outlast several.
         std::uint64_t rays = 0;
         while (rays == 0) rays = job->step(soon(10)).rays;
+        const std::uint64_t first = rays;
         for (int i = 0; i < 15; ++i) {
             const std::clock_t before = std::clock();
             const renderer::Progress progress = job->step(soon(10));
             spent.push_back(1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
             REQUIRE_FALSE(progress.done);
-            CHECK(progress.rays > rays);
+            CHECK(progress.rays >= rays);
             rays = progress.rays;
         }
+        // Of single steps a busy machine may keep the workers from all.
+        CHECK(rays > first);
         // In time of the processor, of all workers: on a busy machine the clock on the wall also
         // counts what other programs take.
         CHECK(*std::max_element(spent.begin(), spent.end()) <= threads * 20.0);
