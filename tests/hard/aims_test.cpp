@@ -7,8 +7,8 @@
 
 #include "tests/hard/aims.hpp"
 #include "tests/hard/cores.hpp"
-#include "tests/hard/record.hpp"
 #include "tests/hard/wrong_shapes.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 

@@ -8,8 +8,8 @@
 
 #include "tests/hard/cores.hpp"
 #include "tests/hard/lattice.hpp"
-#include "tests/hard/record.hpp"
 #include "tests/hard/wrong_shapes.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 

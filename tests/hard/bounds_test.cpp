@@ -7,7 +7,7 @@
 
 #include "renderer/geometry/wide.hpp"
 #include "tests/hard/height.hpp"
-#include "tests/hard/record.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 

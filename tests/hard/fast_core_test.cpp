@@ -12,7 +12,7 @@
 #include "renderer/intersect/instruction_set.hpp"
 #include "tests/hard/cores.hpp"
 #include "tests/hard/mixed.hpp"
-#include "tests/hard/record.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 

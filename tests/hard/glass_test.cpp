@@ -7,8 +7,8 @@
 
 #include "ir/math/elementary.hpp"
 #include "renderer/shading/fresnel.hpp"
-#include "tests/hard/record.hpp"
 #include "tests/render/scene_builder.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 

@@ -12,10 +12,10 @@
 #include "renderer/intersect/instruction_set.hpp"
 #include "tests/hard/cores.hpp"
 #include "tests/hard/mixed.hpp"
-#include "tests/hard/record.hpp"
 #include "tests/render/everything.hpp"
 #include "tests/render/same.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/record.hpp"
 #include "tests/support/with_instruction_set.hpp"
 
 namespace cobble::test {

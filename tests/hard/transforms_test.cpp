@@ -5,6 +5,7 @@
 #include "renderer/query/query.hpp"
 #include "tests/hard/scenes.hpp"
 #include "tests/render/scene_builder.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 
@@ -38,6 +39,7 @@ TEST_CASE("row 26: the inverse's residual is that of rounding, and a singular ma
         }
     }
     CHECK(worst <= 1);
+    record(26, "product with the inverse off 1 by " + brief(worst) + " of the bound at most");
     CHECK(math::inverse(scaling({1e-6, 1, 1e6})));
     CHECK(math::inverse(scaling({1e-200, 1e200, 1})));
     CHECK(!math::inverse(scaling({1, 0, 1})));
@@ -94,6 +96,8 @@ TEST_CASE("row 27: normals stay perpendicular and outside under uneven scale and
     CHECK(hits > 8000);
     CHECK(worst <= 1);
     CHECK(inward == 0);
+    record(27, "off a right angle by " + brief(4 * worst) + " ulp at most, " + counted(inward) +
+                   " of " + counted(hits) + " turned in");
 }
 
 TEST_CASE("row 28: a mesh modelled 1e7 away and moved back is the mesh") {
@@ -138,6 +142,7 @@ TEST_CASE("row 28: a mesh modelled 1e7 away and moved back is the mesh") {
         worst = std::max(worst, std::fabs(double{x.values[i]} - double{y.values[i]}));
     }
     CHECK(worst <= 1 / 255.0);
+    record(28, "pixels differ by " + brief(worst * 255) + " steps of 1/255 at most");
     CHECK(x.values[(24 * 64 + 32) * 3] != x.values[0]);
 }
 
@@ -265,6 +270,7 @@ TEST_CASE("row 41: keys are met exactly, and no moving thing leaves its box") {
         escapes += inside ? 0 : 1;
     }
     CHECK(escapes == 0);
+    record(41, counted(escapes) + " of 210,000 boxes left");
 }
 
 }  // namespace cobble::test

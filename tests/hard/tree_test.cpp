@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "tests/hard/mixed.hpp"
-#include "tests/hard/record.hpp"
 #include "tests/hard/scenes.hpp"
+#include "tests/support/record.hpp"
 
 namespace cobble::test {
 

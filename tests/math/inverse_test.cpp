@@ -5,6 +5,7 @@
 #include <random>
 
 #include "ir/math/inverse.hpp"
+#include "tests/support/record.hpp"
 
 using namespace cobble;
 using math::Affined;
@@ -70,7 +71,7 @@ TEST_CASE("row 26: the inverse is right to 64 units times the condition") {
     }
     // Twice the working precision pays: in plain doubles the cofactors alone give 18.
     CHECK(worst <= 4);
-    MESSAGE("largest residual in units of u times the condition: ", worst);
+    test::record(26, "residual " + test::brief(worst) + "u times the condition at most");
 }
 
 TEST_CASE("powers of two and permutations are inverted exactly") {

@@ -2,10 +2,12 @@
 // Sizes of blurs: of the lens, of shadows, of motion.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "tests/render/scene_builder.hpp"
+#include "tests/support/record.hpp"
 
 using namespace cobble;
 using namespace cobble::test;
@@ -56,6 +58,7 @@ TEST_CASE("row 37: the circle of confusion has the thin lens's size") {
     };
     const double sharp = measure(0, 10, 0);
     const double aperture = 0.8;
+    double worst = 0;
     // Blurs of ten pixels and more: the dot's own edge falls on pixels as it will.
     for (const double focus : {4.0, 5.0, 50.0, 1e9}) {
         const double blur = aperture * std::fabs(10 - focus) / focus;  // diameter at the dot
@@ -64,7 +67,9 @@ TEST_CASE("row 37: the circle of confusion has the thin lens's size") {
         const double diameter = 4 * std::sqrt(measure(aperture, focus, 0) - sharp);
         CAPTURE(focus);
         CHECK(diameter == doctest::Approx(blur * pixels_per_unit).epsilon(0.01));
+        worst = std::max(worst, std::fabs(diameter / (blur * pixels_per_unit) - 1));
     }
+    record(37, "blur off the thin lens's by " + brief(100 * worst) + " % at most");
     // Three blades: a triangle of circumradius R has (2 + cos(2 pi / 3)) / 12 R^2 = R^2 / 8; from a
     // focus at half the distance R is half the aperture.
     CHECK(std::sqrt(8 * (measure(aperture, 5, 3) - sharp)) ==

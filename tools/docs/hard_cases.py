@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: MIT
 """The page of hard cases: each row of tests/hard/README.md with what its tests measured.
 
-usage: hard_cases.py BUILD            runs the tests of BUILD and writes tools/docs/hard-cases.md
+usage: hard_cases.py BUILD [AIMED]    runs the tests of BUILD and writes tools/docs/hard-cases.md
        hard_cases.py --check          says what the table, the tests and the page do not agree on
 
+AIMED is what `bench_aimed --json` wrote; without it the page keeps what it says of such a run.
 --check compares which rows there are, never figures: those are as old as the page.
 """
 
+import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 import xml.etree.ElementTree
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -152,7 +155,25 @@ def run_tests(build):
     return checks, measured
 
 
-def page(checks, measured):
+def of_aimed_rays(path):
+    """What is said of a run of bench_aimed; without one what the page says now."""
+    if path is None:
+        kept = re.search(r"\nOf [0-9,]+ different rays.*?\n\n", read(PAGE), re.DOTALL)
+        return kept[0].strip() if kept else ""
+    with open(path, encoding="utf-8") as file:
+        report = json.load(file)
+    total = report["total"]
+    sets = report["instruction_sets"]
+    text = (f"Of {total['rays']:,} different rays at edges, vertices and outlines of "
+            f"{len(report['scenes'])} scenes (`bench_aimed`), each asked of the fast core by "
+            f"{', '.join(sets)}, ray by ray, in batches and in packets, {total['answers']:,} answers "
+            f"in all, {total['leaks']:,} slipped through a closed thing and {total['differ']:,} "
+            f"differed; {total['wrong']:,} of {total['checked']:,} that brute force was asked about "
+            f"were unlike its answer.")
+    return textwrap.fill(text, 100)
+
+
+def page(checks, measured, aimed):
     lines = [
         "<!-- Written by tools/docs/hard_cases.py from tests/hard/README.md; not by hand. -->",
         "",
@@ -163,6 +184,7 @@ def page(checks, measured):
         "half of the spacing of floats at 1. Figures that are fractions of a bound are the worst",
         "error over what the bound allows there: 1 is just allowed.",
         "",
+        *([aimed, ""] if aimed else []),
         "| row | case | our result | error bound, or what passes | reference |",
         "|---|---|---|---|---|",
     ]
@@ -186,10 +208,11 @@ def main():
         if findings:
             print(f"write the page anew: {sys.argv[0]} BUILD")
         return 1 if findings else 0
-    if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
+    if len(sys.argv) not in (2, 3) or sys.argv[1].startswith("-"):
         print(__doc__, file=sys.stderr)
         return 2
-    text = page(*run_tests(os.path.abspath(sys.argv[1])))
+    aimed = of_aimed_rays(sys.argv[2] if len(sys.argv) == 3 else None)
+    text = page(*run_tests(os.path.abspath(sys.argv[1])), aimed)
     with open(os.path.join(ROOT, PAGE), "w", encoding="utf-8") as file:
         file.write(text)
     return 0

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/hard/record.hpp"
+#include "tests/support/record.hpp"
 
 #include <cstdio>
 #include <cstdlib>
