@@ -36,6 +36,22 @@ class CompensatedSum3 {
         y_.add(value.y);
         z_.add(value.z);
     }
+    /// Of each channel `count` numbers, a negative zero as zero.
+    template <typename T>
+    void add_all(const T* x, const T* y, const T* z, std::uint32_t count) {
+        // Three sums of their own, side by side in registers.
+        CompensatedSum sum_x = x_;
+        CompensatedSum sum_y = y_;
+        CompensatedSum sum_z = z_;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            sum_x.add(0.0 + static_cast<double>(x[i]));
+            sum_y.add(0.0 + static_cast<double>(y[i]));
+            sum_z.add(0.0 + static_cast<double>(z[i]));
+        }
+        x_ = sum_x;
+        y_ = sum_y;
+        z_ = sum_z;
+    }
     [[nodiscard]] math::Vec3d value() const { return {x_.value(), y_.value(), z_.value()}; }
 
   private:
@@ -84,12 +100,7 @@ class PixelAccumulator {
     /// are: `count` numbers of each channel, all finite.
     template <typename T>
     void add_colors(const T* x, const T* y, const T* z, std::uint32_t count) {
-        CompensatedSum3 sum = color_;
-        // As a sample's colour is a sum that began with 0: no negative zero.
-        for (std::uint32_t i = 0; i < count; ++i) {
-            sum.add(math::Vec3d{} + math::Vec3<T>{x[i], y[i], z[i]}.template to<double>());
-        }
-        color_ = sum;
+        color_.add_all(x, y, z, count);
         samples_ += count;
     }
     /// The same for one, which may be unsound: then false, and nothing is added.

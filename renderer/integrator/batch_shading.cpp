@@ -30,7 +30,6 @@ BatchShading<T>::BatchShading(const ShadingScene<T>& scene)
       on_(scene.any_scatters() ? std::make_unique<ScatterColumns<T>>() : nullptr),
       mirrored_{} {
     others_.reserve(kBatchSize);
-    asker_.reserve(kBatchSize);
 }
 
 template <typename T>
@@ -285,7 +284,6 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
     }
     leave_out_below_bent();
     shadow_.clear();
-    asker_.clear();
     if (!shadows) {
         for (std::size_t i = 0; i < lit_; ++i) {
             if (light_->matters[i] == 0) continue;
@@ -293,10 +291,6 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
         }
         return;
     }
-    // Room for all of them: a look at the room for each would cost as much as the ray itself.
-    shadow_.rays.resize(lit_);
-    shadow_.excludes.resize(lit_);
-    asker_.resize(lit_);
     std::size_t count = 0;
     std::size_t lane = 0;
     for (const auto& stretch : batch_->stretches) {
@@ -317,8 +311,7 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
         }
         shadow_.end_stretch_at(count, stretch.coherence);
     }
-    shadow_.rays.resize(count);
-    shadow_.excludes.resize(count);
+    shadow_.count = count;
 }
 
 template <typename T>

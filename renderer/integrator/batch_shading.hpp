@@ -145,7 +145,7 @@ class BatchShading {
     Columns3<T> mirrored_;              ///< rays at surfaces with a highlight
 
     RayBatch<T> shadow_;
-    std::vector<std::uint32_t> asker_;  ///< entry, by shadow ray
+    std::array<std::uint32_t, kBatchSize> asker_{};  ///< entry, by shadow ray
 };
 
 }  // namespace cobble::renderer

@@ -80,7 +80,7 @@ void BatchedTile<T>::begin_samples(const Tile& tile) {
             flight.number = number++;
             flight.trace.sample = {};
             flight.trace.first_object = {};
-            flight.trace.stack.emplace_back().ray = begun_[i];
+            flight.trace.stack.emplace_back().ray = begun_.rays[i];
         }
     }
 }

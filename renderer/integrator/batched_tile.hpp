@@ -63,7 +63,7 @@ class BatchedTile final : public PausedWork {
     std::vector<std::uint32_t> round_;
     std::size_t first_ = 0;  ///< of the round: where the batch begins
     CameraBatch<T> camera_;
-    std::vector<Ray<T>> begun_;  ///< by it
+    RayBatch<T> begun_;  ///< by it
 
     bool on_its_way_ = false;  ///< a batch is
     BatchStages<T> batch_;

@@ -16,11 +16,7 @@ CameraBatch<T>::CameraBatch(const ShadingScene<T>& scene, const Settings& settin
       samples_(std::max(settings.samples, 1U)),
       simple_(!scene.effects.depth_of_field && !scene.effects.motion_blur),
       next_(tile),
-      columns_(std::make_unique<CameraColumns<T>>()) {
-    if (!simple_) return;
-    // Origin and time are those of any ray.
-    any_ = camera_ray(scene, Sampler(0, 0, 0, 0), 0, 0).ray;
-}
+      columns_(std::make_unique<CameraColumns<T>>()) {}
 
 /// Where begin_sample() lets the ray through.
 template <typename T>
@@ -71,18 +67,22 @@ std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
 }
 
 template <typename T>
-void CameraBatch<T>::begin(const Tile& tile, std::size_t most, std::vector<Ray<T>>& rays) {
+void CameraBatch<T>::begin(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
     const std::size_t count = choose(tile, most);
     CameraColumns<T>& c = *columns_;
     place_in_pixels(count);
-    rays.resize(count, any_);
+    batch.begin(count);
+    batch.end_stretch(Coherence::kCoherent);
     if (simple_) {
+        // Origin and time are those of any ray.
+        if (first_) batch.rays.fill(camera_ray(*scene_, Sampler(0, 0, 0, 0), 0, 0).ray);
+        first_ = false;
         loops_->through_pinhole(scene_->camera, c, count);
-        for (std::size_t i = 0; i < count; ++i) rays[i].direction = c.direction.at(i);
+        for (std::size_t i = 0; i < count; ++i) batch.rays[i].direction = c.direction.at(i);
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        rays[i] = camera_ray(*scene_, sampler(i), c.x[i], c.y[i]).ray;
+        batch.rays[i] = camera_ray(*scene_, sampler(i), c.x[i], c.y[i]).ray;
     }
 }
 

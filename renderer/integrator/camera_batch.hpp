@@ -6,10 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "renderer/integrator/column_loops.hpp"
 #include "renderer/integrator/columns.hpp"
+#include "renderer/integrator/ray_batch.hpp"
 #include "renderer/integrator/stages.hpp"
 #include "renderer/sampling/sampler.hpp"
 #include "renderer/settings.hpp"
@@ -44,8 +44,9 @@ class CameraBatch {
     CameraBatch(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
 
     /// Begins the next samples, `most` of them or as many as there are, but at most kBatchSize, and
-    /// makes `rays` theirs. The same vector each time: what all rays have in common stays in it.
-    void begin(const Tile& tile, std::size_t most, std::vector<Ray<T>>& rays);
+    /// makes `rays` theirs, one stretch. The same batch each time: what all rays have in common
+    /// stays in it.
+    void begin(const Tile& tile, std::size_t most, RayBatch<T>& rays);
     /// The next one to begin.
     [[nodiscard]] const SampleCursor& next() const { return next_; }
 
@@ -68,7 +69,7 @@ class CameraBatch {
     SampleCursor next_;
     std::unique_ptr<CameraColumns<T>> columns_;
     std::array<PixelPlace, kBatchSize> places_;
-    Ray<T> any_;  ///< of the simple ones
+    bool first_ = true;  ///< nothing has begun yet
 };
 
 }  // namespace cobble::renderer

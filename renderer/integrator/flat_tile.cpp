@@ -32,11 +32,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
     RayBatch<T>& rays = batch_.rays();
-    camera_.begin(work.tile, kBatchSize, rays.rays);
-    rays.excludes.resize(rays.size());
-    rays.asked = 0;
-    rays.stretches.clear();
-    rays.end_stretch(Coherence::kCoherent);
+    camera_.begin(work.tile, kBatchSize, rays);
     work.counters.camera_rays += rays.size();
     batch_.begin();
     on_its_way_ = true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,27 +22,26 @@ struct RayBatch {
         Coherence coherence = Coherence::kNone;
     };
 
-    std::vector<Ray<T>> rays;
-    std::vector<Exclude> excludes;
+    std::array<Ray<T>, kBatchSize>
+        rays;  ///< and what they start on; those beyond `count` mean nothing
+    std::array<Exclude, kBatchSize> excludes;
+    std::size_t count = 0;
     std::vector<Stretch> stretches;  ///< one after the other; the last one ends with the rays
     std::size_t asked = 0;           ///< so many of the first have their answers
 
-    RayBatch() {
-        rays.reserve(kBatchSize);
-        excludes.reserve(kBatchSize);
-        stretches.reserve(kBatchSize);
-    }
-    [[nodiscard]] std::size_t size() const { return rays.size(); }
-    [[nodiscard]] bool empty() const { return rays.empty(); }
-    void clear() {
-        rays.clear();
-        excludes.clear();
-        stretches.clear();
+    RayBatch() { stretches.reserve(kBatchSize); }
+    [[nodiscard]] std::size_t size() const { return count; }
+    [[nodiscard]] bool empty() const { return count == 0; }
+    void clear() { begin(0); }
+    /// Of so many rays, which are written then.
+    void begin(std::size_t of) {
+        count = of;
         asked = 0;
+        stretches.clear();
     }
     void add(const Ray<T>& ray, const Exclude& exclude) {
-        rays.push_back(ray);
-        excludes.push_back(exclude);
+        rays[count] = ray;
+        excludes[count++] = exclude;
     }
     /// What was added since the last stretch is one.
     void end_stretch(Coherence coherence) { end_stretch_at(size(), coherence); }
@@ -67,18 +67,18 @@ class Pace {
     bool closest(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<Hit<T>> hits,
                  Counters& counters) {
         return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
-            closest_hits<T>(scene, std::span(batch.rays).subspan(at, n),
-                            std::span(batch.excludes).subspan(at, n), hits.subspan(at, n), counters,
-                            coherence);
+            closest_hits<T>(scene, std::span<const Ray<T>>(batch.rays).subspan(at, n),
+                            std::span<const Exclude>(batch.excludes).subspan(at, n),
+                            hits.subspan(at, n), counters, coherence);
         });
     }
     template <typename T>
     bool any(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<std::uint8_t> hit,
              Counters& counters) {
         return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
-            any_hits<T>(scene, std::span(batch.rays).subspan(at, n),
-                        std::span(batch.excludes).subspan(at, n), hit.subspan(at, n), counters,
-                        coherence);
+            any_hits<T>(scene, std::span<const Ray<T>>(batch.rays).subspan(at, n),
+                        std::span<const Exclude>(batch.excludes).subspan(at, n), hit.subspan(at, n),
+                        counters, coherence);
         });
     }
 
