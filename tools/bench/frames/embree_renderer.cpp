@@ -185,6 +185,8 @@ EmbreeFrame render_with_embree(const Input& input, const ScenePlan& plan, unsign
     work();
     for (std::thread& other : others) other.join();
     frame.render_seconds = rendering.wall_seconds();
+    frame.render_cpu = rendering.process_seconds();
+    frame.camera_rays = static_cast<double>(plan.width) * plan.height * plan.samples;
     return frame;
 }
 

@@ -14,6 +14,8 @@ struct EmbreeFrame {
     double make_seconds = 0;     ///< filling Embree's buffers
     double prepare_seconds = 0;  ///< building
     double render_seconds = 0;
+    double render_cpu = 0;  ///< of all threads
+    double camera_rays = 0;
 };
 
 /// No glass. Threads take tiles of 32 x 32 pixels. Robust flag on, as Cobble is watertight.

@@ -43,9 +43,12 @@ std::string description() {
         "built).\n"
         "Programs take turns; figures are medians over passes. Seconds are wall time but for cpu,\n"
         "which is all threads' processor time; parse is reading the scene (Embree: filling\n"
-        "buffers). With --cpu, \"r. cpu\" is the processor time beyond that for a picture of 16 x "
-        "16\n"
-        "pixels, so rendering and writing: what others disturb least on a shared machine.\n"
+        "buffers). With --cpu, \"r. cpu\" is the processor time of rendering, what others disturb\n"
+        "least on a shared machine: as the program says, else all beyond that for a picture of 16 "
+        "x 16\n"
+        "pixels, so rendering and writing. \"rays\" is how many the camera sent through a pixel, "
+        "where\n"
+        "the program says (POV-Ray's picture is four times as wide and high instead).\n"
         "\"x cobble\" is how many times as long as Cobble a program renders, \"by cpu\" the same "
         "by\n"
         "that time, and \"differs\" how far its picture is from Cobble's, as the mean over all\n"
@@ -64,8 +67,8 @@ int render_for_parent(const std::string& picture, const std::string& to, const O
     plan.samples = options.samples.front();
     const EmbreeFrame frame =
         render_with_embree(make_picture(picture), plan, options.threads.front());
-    fmt::print("{}",
-               phases_text({frame.make_seconds, frame.prepare_seconds, frame.render_seconds}));
+    fmt::print("{}", phases_text({frame.make_seconds, frame.prepare_seconds, frame.render_seconds,
+                                  frame.render_cpu, frame.camera_rays}));
     const auto encoded =
         cobble::renderer::encode(frame.color, cobble::renderer::PictureFormat::kPng);
     return write_text(to, encoded.bytes) ? 0 : 1;
@@ -74,9 +77,9 @@ int render_for_parent(const std::string& picture, const std::string& to, const O
 
 void print_header(const std::string& title, unsigned samples, unsigned threads) {
     fmt::print("\n{}; {} a pixel, {} thread{}\n", title, samples, threads, threads == 1 ? "" : "s");
-    fmt::print("  {:<18}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}\n", "program", "parse",
-               "prepare", "render", "whole", "cpu", "r. cpu", "MB", "x cobble", "by cpu",
-               "differs");
+    fmt::print("  {:<18}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>10}{:>10}{:>9}\n", "program",
+               "parse", "prepare", "render", "whole", "cpu", "r. cpu", "MB", "rays", "x cobble",
+               "by cpu", "differs");
 }
 
 std::string text_of(const std::optional<double>& value, int digits) {
@@ -88,10 +91,10 @@ void print_row(const FrameResult& r) {
         fmt::print("  {:<18}  failed\n", r.program);
     } else {
         fmt::print(
-            "  {:<18}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9}{:>9.0f}{:>10}{:>10}{:>9}\n",
+            "  {:<18}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}{:>9}{:>9.0f}{:>7}{:>10}{:>10}{:>9}\n",
             r.program, r.phases.parse, r.phases.prepare, r.phases.render, r.wall, r.cpu,
-            text_of(render_cpu(r), 3), r.peak_mb, text_of(r.times_cobble, 2),
-            text_of(r.times_cobble_cpu, 2), text_of(r.difference, 4));
+            text_of(render_cpu(r), 3), r.peak_mb, text_of(r.rays_a_pixel, 0),
+            text_of(r.times_cobble, 2), text_of(r.times_cobble_cpu, 2), text_of(r.difference, 4));
     }
     std::fflush(stdout);
 }
@@ -124,6 +127,7 @@ nlohmann::json json_of(const FrameResult& r) {
     if (const auto cpu = render_cpu(r)) entry["seconds"]["render_cpu"] = *cpu;
     if (r.times_cobble_cpu) entry["times_cobble_cpu"] = *r.times_cobble_cpu;
     if (r.difference) entry["difference"] = *r.difference;
+    if (r.rays_a_pixel) entry["rays_a_pixel"] = *r.rays_a_pixel;
     return entry;
 }
 

@@ -17,6 +17,8 @@ struct Phases {
     double parse = 0;    ///< reading and checking the scene
     double prepare = 0;  ///< building the acceleration structure
     double render = 0;   ///< tracing and shading, without writing the picture
+    /// Processor seconds of the same, and rays from the camera, if the program says.
+    std::optional<double> render_cpu, camera_rays;
 };
 
 struct Program {

@@ -43,11 +43,16 @@ void run_pass(Entry& entry, const ScenePlan& plan, const RaceOptions& options) {
     entry.parse.push_back(phases->parse);
     entry.prepare.push_back(phases->prepare);
     entry.result.renders.push_back(phases->render);
+    if (phases->camera_rays) {
+        entry.result.rays_a_pixel =
+            *phases->camera_rays / (static_cast<double>(plan.width) * plan.height);
+    }
     entry.wall.push_back(child.wall);
     entry.cpu.push_back(child.cpu);
     if (options.render_cpu) {
-        entry.result.render_cpus.push_back(child.cpu -
-                                           cpu_without_picture(entry, plan, options.threads));
+        entry.result.render_cpus.push_back(
+            phases->render_cpu ? *phases->render_cpu
+                               : child.cpu - cpu_without_picture(entry, plan, options.threads));
     }
     entry.result.peak_mb = std::max(entry.result.peak_mb, child.peak_mb);
 }
@@ -85,7 +90,9 @@ std::vector<FrameResult> race(const Input& input, const ScenePlan& plan, const R
     for (Entry& entry : entries) {
         FrameResult& result = entry.result;
         if (!result.failed) {
-            result.phases = {median(entry.parse), median(entry.prepare), median(result.renders)};
+            result.phases.parse = median(entry.parse);
+            result.phases.prepare = median(entry.prepare);
+            result.phases.render = median(result.renders);
             result.wall = median(entry.wall);
             result.cpu = median(entry.cpu);
             if (!first.result.failed && &entry != &first) {

@@ -19,9 +19,10 @@ struct FrameResult {
     double cpu = 0;               ///< median, of all its threads
     double peak_mb = 0;           ///< the most of all passes
     std::vector<double> renders;  ///< seconds of rendering, by pass
-    /// Processor seconds beyond those for a picture of 16 x 16 pixels: rendering and writing. By
-    /// pass; empty unless asked for.
+    /// Processor seconds of rendering, by pass; empty unless asked for. Of a program that does not
+    /// say: beyond those for a picture of 16 x 16 pixels, so rendering and writing.
     std::vector<double> render_cpus;
+    std::optional<double> rays_a_pixel;  ///< from the camera, if the program says
     /// Rendering: how many times as long as Cobble on the same picture; median of passes.
     std::optional<double> times_cobble, times_cobble_cpu;
     std::optional<double> difference;  ///< from Cobble's picture, mean of channels, 0 to 1
