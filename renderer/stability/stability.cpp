@@ -155,6 +155,7 @@ class Measurement {
     void look(std::vector<Seen<float>>& seen, const std::vector<Exclude>& excludes,
               Coherence coherence) {
         std::vector<Ray<float>> rays;
+        rays.reserve(seen.size());
         for (const auto& entry : seen) rays.push_back(entry.ray);
         std::vector<Hit<float>> hits(rays.size());
         if (options_.cast) {

@@ -116,8 +116,8 @@ struct Stability {
 };
 
 /// Deterministic, unless `go_on` stops it: then what has been cast until then is told
-/// of, a few rays for each object. Some 5 microseconds a ray; memory of the scene prepared in float
-/// and in double.
+/// of, a few rays for each object. Some 1 to 2 microseconds a ray; memory of the scene prepared in
+/// float and in double.
 Stability measure_stability(const ir::Scene& scene, const StabilityOptions& options);
 
 }  // namespace cobble::renderer

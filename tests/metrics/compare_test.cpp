@@ -145,32 +145,36 @@ TEST_CASE("the map shows where") {
     CHECK(result.differing == 1);
 }
 
-TEST_CASE("tall pictures are worked on in bands, which does not show") {
-    // 600 rows are three bands; the whole at once is the reference.
-    Plane32 a{9, 600, 3, {}};
-    Plane32 b{9, 600, 3, {}};
-    LinearImage whole_a{9, 600, {}};
-    LinearImage whole_b{9, 600, {}};
+TEST_CASE("large pictures are worked on in tiles, which does not show") {
+    // Three tiles by two, of which the left ones are equal; the whole at once is the reference.
+    constexpr std::uint32_t kWidth = 530;
+    constexpr std::uint32_t kHeight = 270;
+    constexpr std::uint32_t kEqual = 280;
+    Plane32 a{kWidth, kHeight, 3, {}};
+    Plane32 b{kWidth, kHeight, 3, {}};
+    LinearImage whole_a{kWidth, kHeight, {}};
+    LinearImage whole_b{kWidth, kHeight, {}};
     std::uint32_t state = 1;
     const auto next = [&state] {
         return static_cast<float>((state = state * 69069 + 1) >> 8) * 0x1p-24F;
     };
-    for (std::size_t i = 0; i < 9 * 600; ++i) {
+    for (std::size_t i = 0; i < std::size_t{kWidth} * kHeight; ++i) {
         math::Vec3d pixel;
         for (std::size_t c = 0; c < 3; ++c) {
-            a.values.push_back(next());
-            pixel[c] = static_cast<double>(a.values.back());
+            a.values.push_back(1.5F * next());
+            pixel[c] = std::min(1.0, static_cast<double>(a.values.back()));
         }
         whole_a.pixels.push_back(pixel);
         for (std::size_t c = 0; c < 3; ++c) {
-            b.values.push_back(1.5F * next());
+            b.values.push_back(i % kWidth < kEqual ? a.values[3 * i + c] : 1.5F * next());
             pixel[c] = std::min(1.0, static_cast<double>(b.values.back()));
         }
         whole_b.pixels.push_back(pixel);
     }
-    const Comparison result = compare(a, b, {67, true, true});
+    const Comparison result = compare(a, b, {67, true, true, 1});
     const std::vector<double> whole = flip(whole_a, whole_b, 67);
     std::uint64_t outside = 0;
+    for (const float value : a.values) outside += value > 1 ? 1 : 0;
     for (const float value : b.values) outside += value > 1 ? 1 : 0;
     CHECK(result.clamped == outside);
     std::size_t differing = 0;
@@ -178,6 +182,9 @@ TEST_CASE("tall pictures are worked on in bands, which does not show") {
         differing += result.map.values[i] == static_cast<float>(whole[i]) ? 0 : 1;
     }
     CHECK(differing == 0);
+    const Comparison by_three = compare(a, b, {67, true, true, 3});
+    CHECK(by_three.flip == result.flip);
+    CHECK(by_three.map.values == result.map.values);
 }
 
 TEST_CASE("NaN and infinity are counted, not summed") {

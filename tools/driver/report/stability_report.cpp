@@ -177,6 +177,11 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
         text += fmt::format("{} that no ray hit: hidden from the camera, or not there in float\n",
                             counted(unseen, "object"));
     }
+    if (!faults.any() && few == 0 && s.notes.empty() && s.worst) {
+        text += fmt::format(
+            "float is good enough: a pixel is {} of its steps wide at least, and {} would do\n",
+            steps_text(s.worst->ulps()), renderer::kFewUlps);
+    }
     if (!s.complete) text += "stopped before all rays were cast: what was found until then\n";
     text += fmt::format("{}: {}, {}x{}: {}\n", printable(report.path), counted(rays_of(s), "ray"),
                         report.width, report.height,
