@@ -247,8 +247,14 @@ class Measurement {
             start.side = dot(normal, way) > 0 ? -normal : normal;
             for (std::uint32_t k = 0; k < kDepartures; ++k) {
                 const Vec3d direction = direction_of(k, way, start.side, start.choices);
-                const Departure<float> departure =
+                Departure<float> departure =
                     leave(start.from.point, direction.to<float>(), start.from.ray.time);
+                // At a horizon the mirror's direction may be rounded to below it, and the ray goes
+                // through what it shall leave: straight up, then.
+                if (departure.exclude.goes_inside != (dot(start.side, normal) < 0)) {
+                    departure =
+                        leave(start.from.point, start.side.to<float>(), start.from.ray.time);
+                }
                 next[i * kDepartures + k].ray = departure.ray;
                 excludes[i * kDepartures + k] = departure.exclude;
             }

@@ -148,6 +148,17 @@ TEST_CASE("stability: a scene within float's means has no fault and plenty of pr
     }
 }
 
+TEST_CASE("stability: a planet's horizon is no self-hit") {
+    // Mirror directions at a tangent are rounded to below the surface as often as above it.
+    SceneMaker make;
+    make.sphere({0, -1e8, 0}, 1e8);
+    make.sphere({0, 1, 0}, 1);
+    make.scene.camera.center = {0, 1, 5};
+    const Stability stability = measure_stability(make.scene, rays(1000000));
+    CHECK(stability.objects.front().self_hits == 0);
+    CHECK(stability.clean());
+}
+
 TEST_CASE("stability: far from zero a scene keeps its precision, for it is brought near") {
     const SceneMaker make = gallery(1, {3e7, -2e7, 1e7});
     const Stability stability = measure_stability(make.scene, rays(100000));
