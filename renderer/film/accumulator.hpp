@@ -15,6 +15,10 @@ namespace cobble::renderer {
 /// million equal numbers is off by 1e-11 of itself; this one by 2 ulp, however long.
 class CompensatedSum {
   public:
+    CompensatedSum() = default;
+    /// One that was kept elsewhere.
+    CompensatedSum(double sum, double rest) : sum_(sum), rest_(rest) {}
+
     void add(double value) {
         const double sum = sum_ + value;
         // What did not fit into `sum`, exactly (Knuth, The Art of Computer Programming, 4.2.2).
@@ -23,6 +27,8 @@ class CompensatedSum {
         sum_ = sum;
     }
     [[nodiscard]] double value() const { return sum_ + rest_; }
+    [[nodiscard]] double sum() const { return sum_; }
+    [[nodiscard]] double rest() const { return rest_; }
 
   private:
     double sum_ = 0;
@@ -31,26 +37,13 @@ class CompensatedSum {
 
 class CompensatedSum3 {
   public:
+    CompensatedSum3() = default;
+    CompensatedSum3(CompensatedSum x, CompensatedSum y, CompensatedSum z) : x_(x), y_(y), z_(z) {}
+
     void add(math::Vec3d value) {
         x_.add(value.x);
         y_.add(value.y);
         z_.add(value.z);
-    }
-    /// Of each channel `count` numbers, a negative zero as zero.
-    template <typename T>
-    void add_all(const T* x, const T* y, const T* z, std::uint32_t count) {
-        // Three sums of their own, side by side in registers.
-        CompensatedSum sum_x = x_;
-        CompensatedSum sum_y = y_;
-        CompensatedSum sum_z = z_;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            sum_x.add(0.0 + static_cast<double>(x[i]));
-            sum_y.add(0.0 + static_cast<double>(y[i]));
-            sum_z.add(0.0 + static_cast<double>(z[i]));
-        }
-        x_ = sum_x;
-        y_ = sum_y;
-        z_ = sum_z;
     }
     [[nodiscard]] math::Vec3d value() const { return {x_.value(), y_.value(), z_.value()}; }
 
@@ -96,14 +89,15 @@ class PixelAccumulator {
         return true;
     }
 
-    /// add() of samples whose other pictures nobody wants, and which are sound if their colours
-    /// are: `count` numbers of each channel, all finite.
-    template <typename T>
-    void add_colors(const T* x, const T* y, const T* z, std::uint32_t count) {
-        color_.add_all(x, y, z, count);
-        samples_ += count;
+    /// As after add() of `count` samples, the first of the pixel, with this sum of their colours;
+    /// whose other pictures nobody wants, and which are sound if their colours are.
+    static PixelAccumulator of_colors(const CompensatedSum3& sum, std::uint32_t count) {
+        PixelAccumulator result;
+        result.color_ = sum;
+        result.samples_ = count;
+        return result;
     }
-    /// The same for one, which may be unsound: then false, and nothing is added.
+    /// add() of one such sample; false, and nothing added, if it is unsound.
     [[nodiscard]] bool add_color(math::Vec3d color) {
         if (!finite(color)) return false;
         ++samples_;

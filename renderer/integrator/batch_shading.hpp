@@ -63,10 +63,6 @@ class BatchShading {
 
     /// What each ray brings back by itself, by its place in the batch.
     void color(Columns3<T>& colors);
-    [[nodiscard]] bool finite_colors(const Columns3<T>& colors, std::size_t count) const {
-        return loops_->all_finite(colors, count);
-    }
-
     /// What ray `lane` met, in full but for texture coordinates that nobody read.
     [[nodiscard]] Encounter<T> encounter(std::size_t lane) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/film/accumulator.hpp"
 #include "renderer/intersect/surface_forms.hpp"
 #include "renderer/sampling/sobol.hpp"
 #include "renderer/shading/fresnel.hpp"
@@ -286,6 +287,30 @@ COBBLE_LOOP void add_ambient(math::Vec3<T> ambient, const HitColumns<T>& hits, C
     }
 }
 
+/// Pixels side by side, for the sum of one is a chain of additions.
+template <typename T>
+COBBLE_LOOP void sum_channel(const T* __restrict colors, std::size_t samples, std::size_t pixels,
+                             double* __restrict sum, double* __restrict rest) {
+    for (std::size_t p = 0; p < pixels; ++p) sum[p] = rest[p] = 0;
+    for (std::size_t k = 0; k < samples; ++k) {
+        for (std::size_t p = 0; p < pixels; ++p) {
+            CompensatedSum next(sum[p], rest[p]);
+            // As a sample's colour is a sum that began with 0: no negative zero.
+            next.add(0.0 + static_cast<double>(colors[p * samples + k]));
+            sum[p] = next.sum();
+            rest[p] = next.rest();
+        }
+    }
+}
+
+template <typename T>
+void sum_pixels(const Columns3<T>& colors, std::size_t samples, std::size_t pixels,
+                PixelSums& sums) {
+    sum_channel(colors.x, samples, pixels, sums.sum.x, sums.rest.x);
+    sum_channel(colors.y, samples, pixels, sums.sum.y, sums.rest.y);
+    sum_channel(colors.z, samples, pixels, sums.sum.z, sums.rest.z);
+}
+
 template <typename T>
 COBBLE_LOOP bool all_finite(const Columns3<T>& values, std::size_t count) {
     constexpr T kMost = std::numeric_limits<T>::max();
@@ -316,6 +341,7 @@ const ColumnLoops<T>& loops() {
         scatter<false, T>,
         scatter<true, T>,
         add_ambient<T>,
+        sum_pixels<T>,
         all_finite<T>,
     };
     return kLoops;

@@ -45,6 +45,10 @@ struct ColumnLoops {
     /// ambient kd + light, into `colors`, which may be the light's own columns.
     void (*add_ambient)(math::Vec3<T> ambient, const HitColumns<T>& hits, Columns3<T>& colors,
                         std::size_t count);
+    /// Of `pixels` pixels, each the next `samples` colours: each channel added in the order of the
+    /// samples.
+    void (*sum_pixels)(const Columns3<T>& colors, std::size_t samples, std::size_t pixels,
+                       PixelSums& sums);
     bool (*all_finite)(const Columns3<T>& values, std::size_t count);
 };
 

@@ -103,4 +103,9 @@ struct LightColumns {
     alignas(kColumnAlignment) std::int32_t matters[kBatchSize];  ///< the share is not zero
 };
 
+/// Sums of pixels, as CompensatedSum keeps them.
+struct PixelSums {
+    Columns3<double> sum, rest;
+};
+
 }  // namespace cobble::renderer

@@ -8,10 +8,13 @@ namespace cobble::renderer {
 template <typename T>
 FlatTile<T>::FlatTile(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile)
     : scene_(&scene),
-      settings_(&settings),
+      samples_(std::max(settings.samples, 1U)),
+      most_(samples_ > kBatchSize ? kBatchSize : kBatchSize - kBatchSize % samples_),
       only_color_(color_tells_all(scene, settings)),
       camera_(scene, settings, tile),
-      batch_(scene) {}
+      batch_(scene),
+      loops_(&column_loops<T>()),
+      pixel_sums_{} {}
 
 template <typename T>
 bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
@@ -32,7 +35,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
     RayBatch<T>& rays = batch_.rays();
-    camera_.begin(work.tile, kBatchSize, rays);
+    camera_.begin(work.tile, most_, rays);
     work.counters.camera_rays += rays.size();
     batch_.begin();
     on_its_way_ = true;
@@ -49,37 +52,41 @@ bool FlatTile<T>::add(std::size_t lane) {
 }
 
 template <typename T>
-void FlatTile<T>::add_one_by_one(TileWork& work, std::size_t first, std::size_t end) {
-    for (std::size_t lane = first; lane < end; ++lane) {
-        if (add(lane)) continue;
+void FlatTile<T>::land_together(TileWork& work, Film& film) {
+    const std::size_t pixels = batch_.rays().size() / samples_;
+    loops_->sum_pixels(batch_.colors(), samples_, pixels, pixel_sums_);
+    const auto& [sum, rest] = pixel_sums_;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const CompensatedSum3 color({sum.x[i], rest.x[i]}, {sum.y[i], rest.y[i]},
+                                    {sum.z[i], rest.z[i]});
+        const PixelPlace at = camera_.place(i * samples_);
+        film.set_pixel(at.x, at.y, PixelAccumulator::of_colors(color, samples_).pixel());
+    }
+    work.pixels_done += pixels;
+}
+
+template <typename T>
+void FlatTile<T>::land_one_by_one(TileWork& work, Film& film) {
+    for (std::size_t lane = 0; lane < batch_.rays().size(); ++lane) {
         const PixelPlace at = camera_.place(lane);
-        work.report(
-            bad_sample(*scene_->source, at.x, at.y, camera_.sample(lane), batch_.hit(lane).object));
+        if (!add(lane)) {
+            work.report(bad_sample(*scene_->source, at.x, at.y, camera_.sample(lane),
+                                   batch_.hit(lane).object));
+        }
+        if (camera_.sample(lane) + 1 < samples_) continue;
+        film.set_pixel(at.x, at.y, sums_.pixel());
+        sums_ = {};
+        ++work.pixels_done;
     }
 }
 
 template <typename T>
 void FlatTile<T>::land(TileWork& work, Film& film) {
     const std::size_t count = batch_.rays().size();
-    const std::uint32_t samples = std::max(settings_->samples, 1U);
-    const Columns3<T>& colors = batch_.colors();
-    const bool together = only_color_ && batch_.shading().finite_colors(colors, count);
-    for (std::size_t lane = 0; lane < count;) {
-        const std::uint32_t first = camera_.sample(lane);
-        const auto of_pixel =
-            static_cast<std::uint32_t>(std::min<std::size_t>(count - lane, samples - first));
-        if (together) {
-            sums_.add_colors(colors.x + lane, colors.y + lane, colors.z + lane, of_pixel);
-        } else {
-            add_one_by_one(work, lane, lane + of_pixel);
-        }
-        if (first + of_pixel == samples) {
-            const PixelPlace at = camera_.place(lane);
-            film.set_pixel(at.x, at.y, sums_.pixel());
-            sums_ = {};
-            ++work.pixels_done;
-        }
-        lane += of_pixel;
+    if (only_color_ && samples_ <= kBatchSize && loops_->all_finite(batch_.colors(), count)) {
+        land_together(work, film);
+    } else {
+        land_one_by_one(work, film);
     }
     work.samples_done += count;
     on_its_way_ = false;

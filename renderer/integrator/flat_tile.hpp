@@ -27,14 +27,18 @@ class FlatTile final : public PausedWork {
     void begin(TileWork& work);
     void land(TileWork& work, Film& film);
     bool add(std::size_t lane);
-    void add_one_by_one(TileWork& work, std::size_t first, std::size_t end);
+    void land_together(TileWork& work, Film& film);
+    void land_one_by_one(TileWork& work, Film& film);
 
     const ShadingScene<T>* scene_;
-    const Settings* settings_;
+    std::uint32_t samples_;  ///< a pixel
+    std::size_t most_;       ///< samples in a batch: whole pixels, if they are not too large
     bool only_color_;  ///< nothing else of a sample is wanted, nor can it be unsound by itself
     bool on_its_way_ = false;  ///< a batch is
     CameraBatch<T> camera_;
     BatchStages<T> batch_;
+    const ColumnLoops<T>* loops_;
+    PixelSums pixel_sums_;
     PixelAccumulator sums_;  ///< of the pixel that lands next
 };
 
