@@ -6,6 +6,7 @@
 
 #include "renderer/intersect/intersect.hpp"
 #include "renderer/intersect/surface.hpp"
+#include "renderer/scene/shape_bounds.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -26,14 +27,39 @@ Face<T> face_at(const ShadingScene<T>& scene, const Ray<T>& ray, const Hit<T>& h
     return {index, math::dot(ray.direction, point.geometric_normal) > T(0)};
 }
 
-/// What else the ray meets at the very t of `hit`.
+/// A ray in the plane of a seam, or through an edge, meets faces of several blocks at one t. Moved
+/// toward the middle of the box's face that it meets, by more than rounding, it meets those of two.
+/// t is that of the unmoved ray to the bit: it depends on the axis of the face alone.
 template <typename T>
-Hit<T> tied_with(const ShadingScene<T>& scene, Ray<T> ray, const Hit<T>& hit) {
+Ray<T> toward_middle(const ShadingScene<T>& scene, Ray<T> ray, const Hit<T>& hit) {
+    const ir::Object& object = scene.source->objects[hit.object.value];
+    const bool placed = scene.geometry.geometry.places[hit.object.value].instance;
+    if (object.kind != ir::ShapeKind::kBox || placed) return ray;
+    const auto box = narrow_box<T>(scene.source->boxes[object.shape], scene.geometry.origin);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (i == hit.face / 2) continue;
+        const T at = ray.origin[i] + ray.direction[i] * hit.t;
+        const T size = std::fabs(ray.origin[i]) + std::fabs(box.lo[i]) + std::fabs(box.hi[i]);
+        const T step = 4 * std::numeric_limits<T>::epsilon() * size;
+        const T middle = box.lo[i] + (box.hi[i] - box.lo[i]) / 2;
+        ray.origin[i] += at < middle ? step : -step;
+    }
+    return ray;
+}
+
+/// What else the ray, which meets nothing between its t_min and `hit`, meets at the very t of that.
+/// Nothing if the moved ray meets something shortly before: then it is an outer edge that the ray
+/// passes, not a seam.
+template <typename T>
+Hit<T> tied_with(const ShadingScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit) {
     constexpr T kInfinity = std::numeric_limits<T>::infinity();
-    ray.t_min = std::nextafter(hit.t, -kInfinity);
-    ray.t_max = std::nextafter(hit.t, kInfinity);
+    Ray<T> moved = toward_middle(scene, ray, hit);
+    moved.t_min = ray.t_min + (hit.t - ray.t_min) / 2;
+    moved.t_max = std::nextafter(hit.t, kInfinity);
     Counters uncounted;
-    return closest_hit(scene.geometry, ray, Exclude{hit.object, hit.face, false}, uncounted);
+    const auto other =
+        closest_hit(scene.geometry, moved, Exclude{hit.object, hit.face, false}, uncounted);
+    return other.t == hit.t ? other : Hit<T>{};
 }
 
 }  // namespace
