@@ -92,9 +92,9 @@ class Precision {
           origin_(math::grid_origin(bounds_.all(), scene.camera.center)),
           eye_(scene.camera.center - origin_),
           slope_(math::tan(scene.camera.angle / 2)),
-          meshes_(std::count_if(
+          meshes_(static_cast<std::size_t>(std::count_if(
               scene.objects.begin(), scene.objects.end(),
-              [](const Object& object) { return object.kind == ShapeKind::kMesh; })) {}
+              [](const Object& object) { return object.kind == ShapeKind::kMesh; }))) {}
 
     std::vector<source::Diagnostic> run() {
         std::vector<source::Diagnostic> found;
@@ -308,7 +308,8 @@ class Precision {
                 "floats are {} apart",
                 name, number(loss.place->pixel), number(reach), number(step));
             finding.notes.emplace_back(
-                "points of neighbouring pixels are one: its outline, shading and shadows go in steps");
+                "points of neighbouring pixels are one: its outline, shading and shadows go in "
+                "steps");
             add_mend(finding, loss.place->pixel / step_of_double, step_of_double);
         }
         finding.notes.push_back(
