@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -28,14 +29,20 @@ void set_lane(SphereBlock<T>& block, std::uint32_t lane, const SpherePrimitive<T
 
 template <typename T, typename Block, typename Primitive>
 void fill(std::vector<Block>& blocks, const std::vector<LeafRange>& ranges,
-          const std::vector<BuildItem<T>>& items, std::span<const Primitive> primitives) {
+          const std::vector<BuildItem<T>>& items, std::span<const Primitive> primitives,
+          const BuildControl& control) {
     blocks.resize(ranges.size());
-    for (std::size_t b = 0; b < ranges.size(); ++b) {
-        for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-            const std::uint32_t from = lane < ranges[b].count ? lane : 0;
-            set_lane(blocks[b], lane, primitives[items[ranges[b].first + from].index]);
+    constexpr std::size_t kAtOnce = 4096;
+    const std::size_t chunks = (ranges.size() + kAtOnce - 1) / kAtOnce;
+    control.for_each(chunks, [&](std::size_t chunk) {
+        const std::size_t end = std::min(ranges.size(), (chunk + 1) * kAtOnce);
+        for (std::size_t b = chunk * kAtOnce; b < end; ++b) {
+            for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+                const std::uint32_t from = lane < ranges[b].count ? lane : 0;
+                set_lane(blocks[b], lane, primitives[items[ranges[b].first + from].index]);
+            }
         }
-    }
+    });
 }
 
 }  // namespace
@@ -44,23 +51,23 @@ template <typename T>
 WideTree<T> make_wide_tree(std::vector<BuildItem<T>>& items,
                            std::span<const TrianglePrimitive<T>> triangles,
                            std::span<const SpherePrimitive<T>> spheres,
-                           const std::atomic<bool>* cancelled) {
-    WideBuild<T> build = build_wide_tree(items, cancelled);
+                           const BuildControl& control) {
+    WideBuild<T> build = build_wide_tree(items, control);
     WideTree<T> tree;
     tree.bounds = build.bounds;
     tree.nodes = std::move(build.nodes);
-    fill(tree.triangles, build.triangle_blocks, items, triangles);
-    fill(tree.spheres, build.sphere_blocks, items, spheres);
+    fill(tree.triangles, build.triangle_blocks, items, triangles, control);
+    fill(tree.spheres, build.sphere_blocks, items, spheres, control);
     return tree;
 }
 
 template WideTree<float> make_wide_tree(std::vector<BuildItem<float>>&,
                                         std::span<const TrianglePrimitive<float>>,
                                         std::span<const SpherePrimitive<float>>,
-                                        const std::atomic<bool>*);
+                                        const BuildControl&);
 template WideTree<double> make_wide_tree(std::vector<BuildItem<double>>&,
                                          std::span<const TrianglePrimitive<double>>,
                                          std::span<const SpherePrimitive<double>>,
-                                         const std::atomic<bool>*);
+                                         const BuildControl&);
 
 }  // namespace cobble::renderer

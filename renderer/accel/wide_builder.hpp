@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Builds a WideTree's nodes: binned surface-area heuristic over object splits (Wald, On fast
-// Construction of SAH-based Bounding Volume Hierarchies, 2007), collapsed to eight children.
+// Builds a WideTree: a binary tree, collapsed to eight children a node.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "renderer/accel/build_control.hpp"
 #include "renderer/accel/builder.hpp"
 #include "renderer/accel/wide_tree.hpp"
 
@@ -28,12 +27,10 @@ struct WideBuild {
 };
 
 /// Reorders `items` so that each block's are neighbours. Slots of boxes, instances and moving
-/// things carry the item's own index. The same on every machine; O(n log n), also for a million
-/// items in one place. At most ChildRef::kMostIndex items of a kind. If `cancelled` is given and
-/// becomes true, returns soon, with nothing in it.
+/// things carry the item's own index. The same on every machine, however many work at it;
+/// O(n log n), also for a million items in one place. At most ChildRef::kMostIndex items of a kind.
 template <typename T>
-WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items,
-                             const std::atomic<bool>* cancelled = nullptr);
+WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items, const BuildControl& control = {});
 
 /// The tree itself: the nodes, with copies of the triangles and spheres in its blocks. An item's
 /// index is that of its primitive in the array of its kind.
@@ -41,6 +38,6 @@ template <typename T>
 WideTree<T> make_wide_tree(std::vector<BuildItem<T>>& items,
                            std::span<const TrianglePrimitive<T>> triangles,
                            std::span<const SpherePrimitive<T>> spheres,
-                           const std::atomic<bool>* cancelled = nullptr);
+                           const BuildControl& control = {});
 
 }  // namespace cobble::renderer

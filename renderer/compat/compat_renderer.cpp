@@ -58,7 +58,8 @@ class CompatRenderer : public TileRenderer {
     CompatRenderer(const ir::Scene& scene, const Settings& settings,
                    const std::atomic<bool>* cancelled)
         : settings_(settings),
-          prepared_(prepare<double>(scene, {reference(settings.acceleration), true, cancelled})),
+          prepared_(
+              prepare<double>(scene, {reference(settings.acceleration), true, {cancelled, {}}})),
           scene_{&scene, &prepared_, rules_of(scene.compat, settings)},
           camera_(scene.camera, scene_.rules, settings.width, settings.height),
           plain_camera_(scene.camera, without_grid(scene_.rules), settings.width, settings.height) {

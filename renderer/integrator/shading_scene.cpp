@@ -72,7 +72,7 @@ bool may_touch(const ShadingScene<T>& scene) {
 
 template <typename T>
 ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings,
-                                const std::atomic<bool>* cancelled) {
+                                const BuildControl& build) {
     const ActiveEffects effects = active_effects(settings.effects);
     std::vector<PreparedMaterial<T>> materials;
     materials.reserve(scene.materials.size() + 1);
@@ -88,7 +88,7 @@ ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings
     PrepareOptions options;
     options.acceleration = settings.acceleration;
     options.texture_coordinates = reads_uv;
-    options.cancelled = cancelled;
+    options.build = build;
     ShadingScene<T> result{&scene,
                            effects,
                            std::move(materials),
@@ -119,8 +119,8 @@ template PreparedMaterial<double> prepare_material(const ir::Scene&, const ir::M
                                                    const ActiveEffects&,
                                                    std::optional<ir::TextureFilter>);
 template ShadingScene<float> prepare_shading(const ir::Scene&, const Settings&,
-                                             const std::atomic<bool>*);
+                                             const BuildControl&);
 template ShadingScene<double> prepare_shading(const ir::Scene&, const Settings&,
-                                              const std::atomic<bool>*);
+                                              const BuildControl&);
 
 }  // namespace cobble::renderer

@@ -96,9 +96,9 @@ struct ShadingScene {
 /// 99 % sends back less than a ten-thousandth by then, and stacks have a size to be made for.
 inline constexpr std::uint32_t kMostBounces = 1000;
 
-/// If `cancelled` is given and becomes true, returns soon, with what must not be used.
+/// If `build` is cancelled, returns soon, with what must not be used.
 template <typename T>
 ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings,
-                                const std::atomic<bool>* cancelled = nullptr);
+                                const BuildControl& build = {});
 
 }  // namespace cobble::renderer

@@ -10,6 +10,7 @@
 #include "renderer/compat/compat_renderer.hpp"
 #include "renderer/film/film.hpp"
 #include "renderer/integrator/scene_renderer.hpp"
+#include "renderer/job/build_on.hpp"
 #include "renderer/job/fp_environment.hpp"
 #include "renderer/tile/tile_renderer.hpp"
 #include "renderer/tile/tiles.hpp"
@@ -58,10 +59,9 @@ struct alignas(64) Totals {
 
 template <typename T>
 std::unique_ptr<TileRenderer> prepare_renderer(const ir::Scene& scene, const Settings& settings,
-                                               const std::atomic<bool>& cancelled,
-                                               std::uint64_t& bytes) {
-    auto renderer = std::make_unique<SceneRenderer<T>>(
-        prepare_shading<T>(scene, settings, &cancelled), settings);
+                                               const BuildControl& build, std::uint64_t& bytes) {
+    auto renderer =
+        std::make_unique<SceneRenderer<T>>(prepare_shading<T>(scene, settings, build), settings);
     bytes = renderer->scene().bytes();
     return renderer;
 }
@@ -157,9 +157,10 @@ class Job final : public RenderJob {
         if (scene_->compat != ir::Compat::kNone) {
             renderer_ = make_compat_renderer(*scene_, settings_, bytes_, &cancelled_);
         } else {
+            const BuildControl build = build_on(*scheduler_, &cancelled_);
             renderer_ = settings_.precision == Precision::kDouble
-                            ? prepare_renderer<double>(*scene_, settings_, cancelled_, bytes_)
-                            : prepare_renderer<float>(*scene_, settings_, cancelled_, bytes_);
+                            ? prepare_renderer<double>(*scene_, settings_, build, bytes_)
+                            : prepare_renderer<float>(*scene_, settings_, build, bytes_);
         }
         bytes_ += bytes_of_images(*scene_);
         prepare_seconds_ = seconds_since(start);

@@ -83,17 +83,14 @@ class Preparation {
             }
         }
         build();
-        out_.options.cancelled = nullptr;
+        out_.options.build = {};
         return std::move(out_);
     }
 
   private:
     Geometry<T>& geometry() { return out_.geometry; }
     [[nodiscard]] const PrepareOptions& options() const { return out_.options; }
-    [[nodiscard]] bool cancelled() const {
-        return options().cancelled != nullptr &&
-               options().cancelled->load(std::memory_order_relaxed);
-    }
+    [[nodiscard]] bool cancelled() const { return options().build.stopped(); }
 
     void note(Kind kind, ir::ObjectId object, std::uint32_t face) {
         for (auto i = out_.notes.size(); i > 0 && out_.notes[i - 1].object == object; --i) {
@@ -372,9 +369,9 @@ class Preparation {
             triangles.push_back({v, id, f});
         }
         if (fast()) {
-            placed.wide = make_wide_tree<T>(items, triangles, {}, options().cancelled);
+            placed.wide = make_wide_tree<T>(items, triangles, {}, options().build);
         } else {
-            placed.tree = build_tree(items, options().cancelled);
+            placed.tree = build_tree(items, options().build.cancelled);
             if (cancelled()) items.clear();
             placed.triangles.reserve(items.size());
             for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
@@ -386,7 +383,7 @@ class Preparation {
 
     void build_fast() {
         Geometry<T>& g = geometry();
-        g.wide = make_wide_tree<T>(items_, g.triangles, g.spheres, options().cancelled);
+        g.wide = make_wide_tree<T>(items_, g.triangles, g.spheres, options().build);
         for (const auto& box : g.boxes) g.box_objects.push_back(box.object);
         g.triangles = {};
         g.spheres = {};
@@ -423,7 +420,7 @@ class Preparation {
 
     void build_reference() {
         Geometry<T>& g = geometry();
-        g.tree = build_tree(items_, options().cancelled);
+        g.tree = build_tree(items_, options().build.cancelled);
         if (cancelled()) return;
         sort_kind(PrimitiveKind::kTriangle, g.triangles);
         sort_kind(PrimitiveKind::kSphere, g.spheres);

@@ -13,6 +13,7 @@
 
 #include "ir/math/vec.hpp"
 #include "ir/scene/scene.hpp"
+#include "renderer/accel/build_control.hpp"
 #include "renderer/scene/geometry.hpp"
 #include "renderer/scene/preparation_note.hpp"
 #include "renderer/settings.hpp"
@@ -22,8 +23,9 @@ namespace cobble::renderer {
 struct PrepareOptions {
     Acceleration acceleration = Acceleration::kBvh;
     bool texture_coordinates = true;  ///< keep uv and give tangents; off: none are loaded
-    /// If given and true at any time, prepare() returns soon, with a scene that must not be used.
-    const std::atomic<bool>* cancelled = nullptr;
+    /// Who works at it, and whether it was cancelled: then prepare() returns soon, with a scene
+    /// that must not be used.
+    BuildControl build{};
 };
 
 template <typename T>

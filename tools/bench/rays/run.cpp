@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "renderer/intersect/instruction_set.hpp"
+#include "renderer/job/build_on.hpp"
 #include "renderer/job/fp_environment.hpp"
 #include "tools/bench/clock.hpp"
 #include "tools/bench/median.hpp"
@@ -28,9 +29,11 @@ namespace {
 constexpr std::string_view kRobust = "embree-robust";
 
 template <typename T>
-PreparedScene<T> prepare_as(const ir::Scene& scene, Acceleration acceleration) {
+PreparedScene<T> prepare_as(const ir::Scene& scene, Acceleration acceleration,
+                            const renderer::BuildControl& build = {}) {
     const renderer::FpEnvironment environment;
     PrepareOptions options;
+    options.build = build;
     options.acceleration = acceleration;
     options.texture_coordinates = false;
     return renderer::prepare<T>(scene, options);
@@ -132,11 +135,18 @@ std::vector<Builder> builders_for(const Input& input, const Choice& choice) {
     std::vector<Builder> builders;
     const std::size_t primitives = stored_primitives(input.scene);
     if (chosen(choice.cores, "cobble-" + renderer::instruction_sets()[0])) {
-        builders.push_back({"cobble", 1, primitives, [&input] {
-                                const Stopwatch watch;
-                                const auto scene = prepare_as<T>(input.scene, Acceleration::kFast);
-                                return Builder::Built{watch.process_seconds(), tree_bytes(scene)};
-                            }});
+        for (const unsigned threads : choice.threads) {
+            builders.push_back({"cobble", threads, primitives, [&input, threads] {
+                                    const auto workers = renderer::make_thread_scheduler(threads);
+                                    const Stopwatch watch;
+                                    const auto scene =
+                                        prepare_as<T>(input.scene, Acceleration::kFast,
+                                                      renderer::build_on(*workers));
+                                    return Builder::Built{threads == 1 ? watch.process_seconds()
+                                                                       : watch.wall_seconds(),
+                                                          tree_bytes(scene)};
+                                }});
+        }
     }
 #ifdef COBBLE_BENCH_EMBREE
     const std::size_t theirs = stored_primitives(input.for_peers());
