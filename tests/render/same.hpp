@@ -18,7 +18,8 @@ inline renderer::Settings full(std::uint32_t width, std::uint32_t height, std::u
 
 inline bool same(const renderer::Plane32& a, const renderer::Plane32& b) {
     return a.width == b.width && a.height == b.height && a.values.size() == b.values.size() &&
-           std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0;
+           (a.values.empty() ||
+            std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0);
 }
 
 inline bool same(const renderer::Picture& a, const renderer::Picture& b) {
