@@ -115,6 +115,25 @@ TEST_CASE("precision-loss: renders in double are not warned") {
     CHECK(build(text, files, options).codes().empty());
 }
 
+TEST_CASE("rows 10, 11 and 14: beyond what float is held to a lint says so") {
+    MemoryFiles files;
+    const auto triangle = [](const std::string& size) {
+        return "Triangle { vertex0 0 0 0 vertex1 " + size + " 0 0 vertex2 0 " + size + " 0 }\n";
+    };
+    const auto squeezed = [](const std::string& factor) {
+        return "Transform { XRotate 30 Scale 1 " + factor +
+               " 1 YRotate 20 Box { min -1 -1 -1 max 1 1 1 } }\n";
+    };
+    const Strings lost{"precision-loss"};
+    CHECK(codes_of(triangle("1e-15"), files).empty());
+    CHECK(codes_of(triangle("1e-40"), files).empty());
+    CHECK(codes_of(triangle("1e-46"), files) == lost);
+    CHECK(codes_of(triangle("1e30"), files).empty());
+    CHECK(codes_of(triangle("1e37"), files) == lost);
+    CHECK(codes_of(squeezed("1e-4"), files).empty());
+    CHECK(codes_of(squeezed("1e-7"), files) == Strings{"transform-ill-conditioned"});
+}
+
 TEST_CASE("precision-loss: its page shows what it is about") {
     const source::DiagnosticCode* code = source::find_code("precision-loss");
     REQUIRE(code != nullptr);

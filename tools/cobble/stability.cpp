@@ -197,7 +197,7 @@ void add_stability(CLI::App& app, Context& context) {
         ->type_name("N")
         ->capture_default_str();
     require_above(sub->add_option("--budget", options->budget,
-                                  "Stop casting after so many seconds, and say so"),
+                                  "Stop casting after so many seconds a scene, and say so"),
                   0)
         ->type_name("SECONDS")
         ->capture_default_str();
