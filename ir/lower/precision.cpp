@@ -30,7 +30,8 @@ const source::DiagnosticCode kPrecisionLoss{
     "a point near the camera. That helps a scene that is far from zero as a whole, but not one "
     "that is wide: a million away from that point neighbouring floats are 0.0625 apart. What is "
     "smaller than a few such steps loses its shape or is not there at all, and where a pixel is "
-    "smaller than one, shading and shadows are noise. Beyond 1.3e36 float cannot reckon.",
+    "smaller than one, outlines, shading and shadows go in steps. Beyond 1.3e36 float cannot "
+    "reckon.",
     "PerspectiveCamera {\n    center 0 0 5\n    direction 0 0 -1\n    up 0 1 0\n    angle 40\n}\n"
     "Materials {\n    Material { diffuseColor 0.8 0.2 0.1 }\n}\n"
     "Group {\n    MaterialIndex 0\n    Sphere {\n        center 0 0 0\n        radius 1\n    }\n"
