@@ -45,8 +45,8 @@ class Measurement {
     Measurement(const ir::Scene& scene, const StabilityOptions& options)
         : source_(scene),
           options_(options),
-          narrow_(prepare<float>(scene, {options.acceleration, false, nullptr})),
-          wide_(prepare<double>(scene, {options.acceleration, false, nullptr})),
+          narrow_(prepare<float>(scene, {options.acceleration, false, {}})),
+          wide_(prepare<double>(scene, {options.acceleration, false, {}})),
           judge_(scene, wide_),
           eye_(narrow_.to_local(scene.camera.center)),
           // Square pixels; the angle spans the height.
