@@ -138,7 +138,7 @@ std::string precision(const StabilityReport& report, Positions& positions) {
 std::string changes(const renderer::PrimitiveChanges& c) {
     if (c.rays == 0) return "";
     std::string text = fmt::format(
-        "float and double name different things along {}, at edges and outlines, within rounding;\n"
+        "float and double name different things along {}, within rounding or not;\n"
         "reckoned with 106 binary digits, double is right along {}, float along {}, both along {}",
         counted(c.rays, "ray"), c.for_double, c.for_float, c.for_both);
     if (c.open > 0) text += fmt::format(", and {} stay open", c.open);
@@ -177,7 +177,11 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
         text += fmt::format("{} that no ray hit: hidden from the camera, or not there in float\n",
                             counted(unseen, "object"));
     }
-    if (!faults.any() && few == 0 && s.notes.empty() && s.worst) {
+    if (faults.any()) {
+        text +=
+            "where float is too coarse, `cobble lint` says by how much and --precision double "
+            "renders it; elsewhere a fault is one of the renderer\n";
+    } else if (few == 0 && s.notes.empty() && s.worst) {
         text += fmt::format(
             "float is good enough: a pixel is {} of its steps wide at least, and {} would do\n",
             steps_text(s.worst->ulps()), renderer::kFewUlps);
