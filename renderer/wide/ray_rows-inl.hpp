@@ -36,6 +36,7 @@ struct RayLanes {
     T sx, sy;
     std::uint32_t signs;  ///< a bit for each axis along which the ray runs backward
     const T* origin;
+    const T* direction;
     const T* inverse;  ///< of axis a at [a * stride]
     const T* inverse_far;
     std::size_t stride;
@@ -49,6 +50,7 @@ struct RayLanes {
           sy(forms.shear.sy),
           signs(0),
           origin(&forms.slabs.origin.x),
+          direction(&forms.shear.direction.x),
           inverse(&forms.slabs.inverse.x),
           inverse_far(&forms.slabs.inverse_far.x),
           stride(1),
@@ -57,13 +59,14 @@ struct RayLanes {
         spread();
     }
 
-    RayLanes(const T* from, const T* inverses, const T* far_inverses, std::size_t step,
-             std::uint32_t backward, ShearAxes of_shear, T x, T y)
+    RayLanes(const T* from, const T* along, const T* inverses, const T* far_inverses,
+             std::size_t step, std::uint32_t backward, ShearAxes of_shear, T x, T y)
         : axes(of_shear),
           sx(x),
           sy(y),
           signs(backward),
           origin(from),
+          direction(along),
           inverse(inverses),
           inverse_far(far_inverses),
           stride(step),
@@ -125,6 +128,7 @@ class RayRows {
     [[nodiscard]] HWY_INLINE RayLanes<T> lanes(std::size_t i) const {
         const auto code = static_cast<std::uint32_t>(codes_[i]);
         return {&rays_[i].origin.x,
+                &rays_[i].direction.x,
                 &inverse_[0][i],
                 &inverse_far_[0][i],
                 kRays,

@@ -48,23 +48,11 @@ HWY_NOINLINE void search_placed_mesh(const WideTree<T>& tree, const RayForms<T>&
     }
 }
 
-/// A leaf of anything but triangles and boxes.
+/// A leaf of what has no blocks.
 template <bool kAny, typename T>
 HWY_INLINE void test_leaf(const Geometry<T>& g, ChildRef at, const RayForms<T>& ray,
                           Search<T>& search) {
     switch (at.kind()) {
-        case PrimitiveKind::kSphere: {
-            const SphereBlock<T>& block = g.wide.spheres[at.index()];
-            std::uint32_t bits = (1U << at.count()) - 1;
-            if constexpr (sizeof(T) == sizeof(float)) bits &= met_spheres(block, ray);
-            while (bits != 0) {
-                const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                test_sphere(ray, {block.center[0][i], block.center[1][i], block.center[2][i]},
-                            block.radius[i], block.object[i], search);
-            }
-            break;
-        }
         case PrimitiveKind::kMovingTriangle:
             test_moving_triangle(g, ray, g.moving_triangles[at.index()], search);
             break;
@@ -80,6 +68,7 @@ HWY_INLINE void test_leaf(const Geometry<T>& g, ChildRef at, const RayForms<T>& 
             break;
         }
         case PrimitiveKind::kTriangle:
+        case PrimitiveKind::kSphere:
         case PrimitiveKind::kBox:
             break;
     }
@@ -94,6 +83,9 @@ HWY_INLINE void search_world(const Geometry<T>& g, Boxes boxes, const RayLanes<T
             if (HWY_LIKELY(at.kind() == PrimitiveKind::kTriangle)) {
                 return test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), {}, ray,
                                                    forms, search);
+            }
+            if (at.kind() == PrimitiveKind::kSphere) {
+                return test_spheres<kAny>(tree.spheres[at.index()], at.count(), ray, forms, search);
             }
             if (kAny && at.is_end()) return true;
             test_leaf<kAny>(g, at, forms.get(), search);
