@@ -125,7 +125,7 @@ void check_bounds(int scenes, int shots) {
 }  // namespace
 
 TEST_CASE("row 13: each shape's bound is one, and at most 8 times the worst error, float") {
-    check_bounds<float>(40, 60);
+    check_bounds<float>(30, 50);
 }
 
 TEST_CASE("row 13: each shape's bound is one, and at most 8 times the worst error, double") {

@@ -184,11 +184,11 @@ void check_cut_floor(int rays) {
 }  // namespace
 
 TEST_CASE("row 7: T-vertices and duplicate coplanar triangles are hit; the least id wins, float") {
-    check_cut_floor<float>(40000);
+    check_cut_floor<float>(20000);
 }
 
 TEST_CASE("row 7: T-vertices and duplicate coplanar triangles are hit; the least id wins, double") {
-    check_cut_floor<double>(8000);
+    check_cut_floor<double>(4000);
 }
 
 TEST_CASE("row 8: what has no area or no number is never hit, is in no box, and is noted") {

@@ -114,7 +114,7 @@ Tally leave_toward_second(const Kind& kind, Vec3d center, double size, int shots
             if (!inside) continue;
         }
         ++tally.served;
-        const bool by_all = tally.served % 16 == 1;
+        const bool by_all = tally.served % 32 == 1;
         std::optional<Questions<T>> cores;
         if (by_all) cores.emplace(both.scene);
         for (int k = 0; k < leaving; ++k) {
@@ -179,10 +179,10 @@ TEST_CASE("row 13: an absolute distance passes what lies behind a small surface"
 }
 
 TEST_CASE("row 13: a second surface 4 bounds behind is found, float") {
-    check_second<float>(60, 300);
+    check_second<float>(60, 150);
 }
 TEST_CASE("row 13: a second surface 4 bounds behind is found, double") {
-    check_second<double>(50, 60);
+    check_second<double>(50, 40);
 }
 
 }  // namespace cobble::test
