@@ -69,6 +69,15 @@ struct Pixel {
     std::uint32_t samples = 0;  ///< those that count
 };
 
+/// The pixel of `count` sound samples, one at least, with this sum of their colours; nobody wants
+/// the other pictures.
+inline Pixel pixel_of_colors(const CompensatedSum3& sum, std::uint32_t count) {
+    Pixel result;
+    result.color = sum.value() / static_cast<double>(count);
+    result.samples = count;
+    return result;
+}
+
 /// Colour, normal and albedo are means over all samples; depth is the mean over those that hit.
 class PixelAccumulator {
   public:
@@ -89,15 +98,7 @@ class PixelAccumulator {
         return true;
     }
 
-    /// As after add() of `count` samples, the first of the pixel, with this sum of their colours;
-    /// whose other pictures nobody wants, and which are sound if their colours are.
-    static PixelAccumulator of_colors(const CompensatedSum3& sum, std::uint32_t count) {
-        PixelAccumulator result;
-        result.color_ = sum;
-        result.samples_ = count;
-        return result;
-    }
-    /// add() of one such sample; false, and nothing added, if it is unsound.
+    /// add() of a sample whose other pictures nobody wants, and which are sound if its colour is.
     [[nodiscard]] bool add_color(math::Vec3d color) {
         if (!finite(color)) return false;
         ++samples_;
