@@ -60,6 +60,12 @@ struct Packet {
     std::size_t count;
     Hit<float>* best;  ///< of each ray; where a triangle is ahead, what it leaves behind
     std::uint64_t box_tests, primitive_tests;
+    /// At leaves of triangles: groups that came, and rays in them that meet the leaf.
+    std::uint64_t leaf_groups, leaf_rays;
+
+    /// Whether going together was worth it for rays that ask for any hit: where each meets leaves
+    /// of its own, they are faster alone.
+    [[nodiscard]] bool stayed_together() const { return leaf_rays * 6 >= leaf_groups * kLanes; }
 };
 
 HWY_INLINE Extremes extremes_of(const float* values) {
@@ -81,6 +87,8 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
     p.best = best;
     p.box_tests = 0;
     p.primitive_tests = 0;
+    p.leaf_groups = 0;
+    p.leaf_rays = 0;
     p.rays = rays;
     p.excludes = excludes;
     p.count = count;

@@ -278,6 +278,8 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
             std::uint32_t bits = group_hits(parent, at.slot, p, group);
             if (bits == 0) continue;
             if (at.child.kind() == PrimitiveKind::kTriangle) {
+                ++p.leaf_groups;
+                p.leaf_rays += hwy::PopCount(bits);
                 p.primitive_tests += Packet::kLanes * at.child.count();
                 const std::uint32_t first = at.child.index() * std::uint32_t{kBlockLanes};
                 for (std::uint32_t i = 0; i < at.child.count(); ++i) {
