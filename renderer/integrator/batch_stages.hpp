@@ -33,7 +33,7 @@ class BatchStages {
                 }
                 break;
             case Stage::kLook:
-                if (scene_->seams) {
+                if (!scene_->touching.empty()) {
                     for (std::size_t i = 0; i < rays_.size(); ++i) {
                         cross_seams(*scene_, rays_.rays[i], hits_[i]);
                     }

@@ -23,6 +23,12 @@ Face<T> face_at(const ShadingScene<T>& scene, const Ray<T>& ray, const Hit<T>& h
     const ir::MaterialId id = scene.source->objects[hit.object.value].material;
     const T index = scene.material(id).refraction_index;
     if (!(index > T(0))) return {};
+    const ir::Object& object = scene.source->objects[hit.object.value];
+    if (object.kind == ir::ShapeKind::kBox &&
+        !scene.geometry.geometry.places[hit.object.value].instance) {
+        const T along = ray.direction[hit.face / 2];
+        return {index, hit.face % 2 == 1 ? along > T(0) : along < T(0)};
+    }
     const SurfacePoint<T> point = surface_at(scene.geometry, ray, hit);
     return {index, math::dot(ray.direction, point.geometric_normal) > T(0)};
 }
@@ -62,13 +68,43 @@ Hit<T> tied_with(const ShadingScene<T>& scene, const Ray<T>& ray, const Hit<T>& 
     return other.t == hit.t ? other : Hit<T>{};
 }
 
+template <typename T>
+struct Body {
+    std::uint32_t object = 0;
+    BoxBounds<T> box;
+};
+
+template <typename T>
+BoxBounds<T> around(const ShadingScene<T>& scene, std::uint32_t index) {
+    const PreparedScene<T>& prepared = scene.geometry;
+    const ir::Object& object = scene.source->objects[index];
+    const auto place = prepared.geometry.places[index];
+    if (place.instance) return prepared.geometry.instances[place.index].world_bounds;
+    if (object.kind == ir::ShapeKind::kBox) {
+        return narrow_box<T>(scene.source->boxes[object.shape], prepared.origin);
+    }
+    BoxBounds<T> box;
+    for (const math::Vec3d p : scene.source->meshes[object.shape].positions) {
+        box.add(prepared.to_local(p));
+    }
+    return box;
+}
+
+/// A face in common is enough.
+template <typename T>
+bool meet(const BoxBounds<T>& a, const BoxBounds<T>& b) {
+    bool apart = false;
+    for (std::size_t i = 0; i < 3; ++i) apart = apart || a.hi[i] < b.lo[i] || b.hi[i] < a.lo[i];
+    return !apart;
+}
+
 }  // namespace
 
 template <typename T>
 void cross_seams(const ShadingScene<T>& scene, Ray<T> ray, Hit<T>& hit) {
-    if (!scene.seams) return;
+    if (scene.touching.empty()) return;
     // Each turn ends farther on, behind one body more.
-    while (hit) {
+    while (hit && scene.touching[hit.object.value] != 0) {
         const Face<T> here = face_at(scene, ray, hit);
         if (!(here.index > T(0))) return;
         const Hit<T> other = tied_with(scene, ray, hit);
@@ -87,6 +123,35 @@ void cross_seams(const ShadingScene<T>& scene, Ray<T> ray, Hit<T>& hit) {
     }
 }
 
+template <typename T>
+std::vector<std::uint8_t> touching_bodies(const ShadingScene<T>& scene) {
+    const ir::Scene& source = *scene.source;
+    std::vector<Body<T>> bodies;
+    for (std::uint32_t i = 0; i < source.objects.size(); ++i) {
+        const ir::Object& object = source.objects[i];
+        const bool flat = object.kind == ir::ShapeKind::kBox || object.kind == ir::ShapeKind::kMesh;
+        if (!flat || !(scene.material(object.material).refraction_index > T(0))) continue;
+        bodies.push_back({i, around(scene, i)});
+    }
+    // Beyond so many a pair by pair comparison costs more than it saves: all of them may.
+    constexpr std::size_t kCompared = 1000;
+    std::vector<std::uint8_t> touching(source.objects.size(), 0);
+    bool any = bodies.size() > kCompared;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies.size() > kCompared) touching[bodies[i].object] = 1;
+        if (bodies.size() > kCompared) continue;
+        for (std::size_t k = 0; k < i; ++k) {
+            if (!meet(bodies[i].box, bodies[k].box)) continue;
+            touching[bodies[i].object] = touching[bodies[k].object] = 1;
+            any = true;
+        }
+    }
+    if (!any) touching = {};
+    return touching;
+}
+
+template std::vector<std::uint8_t> touching_bodies(const ShadingScene<float>&);
+template std::vector<std::uint8_t> touching_bodies(const ShadingScene<double>&);
 template void cross_seams(const ShadingScene<float>&, Ray<float>, Hit<float>&);
 template void cross_seams(const ShadingScene<double>&, Ray<double>, Hit<double>&);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "renderer/integrator/seams.hpp"
+
 namespace cobble::renderer {
 
 ActiveEffects active_effects(const ir::Effects& effects) {
@@ -50,25 +52,8 @@ PreparedMaterial<T> prepare_material(const ir::Scene& scene, const ir::Material&
 template <typename T>
 std::uint64_t ShadingScene<T>::bytes() const {
     return geometry.bytes() + materials.size() * sizeof(PreparedMaterial<T>) +
-           lights.size() * sizeof(PreparedLight);
+           lights.size() * sizeof(PreparedLight) + touching.size();
 }
-
-namespace {
-
-/// Two bodies with flat faces are what it takes.
-template <typename T>
-bool may_touch(const ShadingScene<T>& scene) {
-    if (!scene.effects.refraction) return false;
-    int bodies = 0;
-    for (const ir::Object& object : scene.source->objects) {
-        const bool flat = object.kind == ir::ShapeKind::kBox || object.kind == ir::ShapeKind::kMesh;
-        if (flat && scene.material(object.material).refraction_index > T(0)) ++bodies;
-        if (bodies == 2) return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 template <typename T>
 ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings,
@@ -106,7 +91,7 @@ ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings
     if (effects.environment && scene.background.cube_map.valid()) {
         result.sky = &scene.cube_maps[scene.background.cube_map.value];
     }
-    result.seams = may_touch(result);
+    if (effects.refraction) result.touching = touching_bodies(result);
     return result;
 }
 

@@ -72,7 +72,9 @@ struct ShadingScene {
     math::Vec3<T> background;
     const ir::CubeMap* sky = nullptr;
     std::uint32_t bounces = 0;
-    bool seams = false;  ///< there may be see-through bodies that touch in a face
+    /// Of each object whether it is a see-through body that may touch another in a face; empty if
+    /// none is.
+    std::vector<std::uint8_t> touching{};
 
     [[nodiscard]] const PreparedMaterial<T>& material(ir::MaterialId id) const {
         return id.value + std::size_t{1} < materials.size() ? materials[id.value]

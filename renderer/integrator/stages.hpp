@@ -54,8 +54,8 @@ struct Encounter {
     [[nodiscard]] bool lit() const { return hit && material->cube_map == nullptr; }
 };
 
-/// From `met.hit`, closest_hit()'s answer to `ray`, to all the rest; no light has shone yet. The
-/// hit itself is moved on where it is none for light (see seams.hpp).
+/// From `met.hit`, closest_hit()'s answer to `ray` behind seams that are none for light (see
+/// seams.hpp), to all the rest; no light has shone yet.
 template <typename T>
 void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met);
 
