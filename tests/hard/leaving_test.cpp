@@ -230,7 +230,7 @@ TEST_CASE("rows 13 and 14: an absolute distance in place of a bound is found out
 }
 
 TEST_CASE("row 13: rays leaving a surface do not hit it again, float") {
-    check_shapes<float>(60, 1000);
+    check_shapes<float>(60, 500);
 }
 TEST_CASE("row 13: rays leaving a surface do not hit it again, double") {
     check_shapes<double>(40, 60);

@@ -118,11 +118,11 @@ void check_no_leaks(int row, bool vertices, int count) {
 }  // namespace
 
 TEST_CASE("row 1: no ray through a vertex of a closed mesh is lost") {
-    check_no_leaks(1, true, 100000);
+    check_no_leaks(1, true, 60000);
 }
 
 TEST_CASE("row 2: no ray through a point of an edge is lost, and the tie rule names one face") {
-    check_no_leaks(2, false, 100000);
+    check_no_leaks(2, false, 60000);
 }
 
 TEST_CASE("row 3: nor far from the origin, very large or very small") {
