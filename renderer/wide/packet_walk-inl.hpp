@@ -21,6 +21,7 @@
 #include <limits>
 
 #include "renderer/scene/geometry.hpp"
+#include "renderer/wide/packet_shapes-inl.hpp"
 #include "renderer/wide/settle-inl.hpp"
 #include "renderer/wide/single-inl.hpp"
 
@@ -114,76 +115,6 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
     } while (bits != 0);
 }
 
-/// The rays of a group whose lines meet a sphere: the discriminant of intersect_sphere(), bit for
-/// bit.
-HWY_INLINE std::uint32_t met_by_group(const SphereBlock<float>& block, std::size_t lane,
-                                      const Packet& p, std::size_t group) {
-    using D = hn::CappedTag<double, 8>;
-    const D d;
-    const hn::Rebind<float, D> df;
-    constexpr std::size_t kLanes = hn::MaxLanes(D());
-    const auto zero = hn::Zero(d);
-    const auto r = hn::Set(d, double{block.radius[lane]});
-    const auto dot_of = [](auto x0, auto y0, auto z0, auto x1, auto y1, auto z1) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(x0, x1), hn::Mul(y0, y1)), hn::Mul(z0, z1));
-    };
-    std::uint32_t bits = 0;
-    for (std::size_t part = 0; part < Packet::kLanes; part += kLanes) {
-        const std::size_t at = group * Packet::kLanes + part;
-        const auto along = [&](std::size_t axis) HWY_ATTR {
-            return hn::PromoteTo(d, hn::Load(df, p.direction[axis] + at));
-        };
-        const auto relative = [&](std::size_t axis) HWY_ATTR {
-            return hn::Sub(hn::PromoteTo(d, hn::Load(df, p.origin[axis] + at)),
-                           hn::Set(d, double{block.center[axis][lane]}));
-        };
-        const auto dx = along(0);
-        const auto dy = along(1);
-        const auto dz = along(2);
-        const auto fx = relative(0);
-        const auto fy = relative(1);
-        const auto fz = relative(2);
-        const auto b = hn::Sub(zero, dot_of(fx, fy, fz, dx, dy, dz));
-        const auto q = hn::Div(b, dot_of(dx, dy, dz, dx, dy, dz));
-        const auto lx = hn::Add(fx, hn::Mul(dx, q));
-        const auto ly = hn::Add(fy, hn::Mul(dy, q));
-        const auto lz = hn::Add(fz, hn::Mul(dz, q));
-        const auto rest = hn::Sub(hn::Mul(r, r), dot_of(lx, ly, lz, lx, ly, lz));
-        bits |= bits_of(d, hn::Ge(rest, zero)) << part;
-    }
-    return bits;
-}
-
-template <bool kAny>
-HWY_NOINLINE void test_sphere_lane(const Geometry<float>& g, const SphereBlock<float>& block,
-                                   std::size_t lane, Packet& p, std::size_t ray) {
-    settle(g.wide, p, ray);
-    Search<float> search = begin_search(p, ray);
-    test_sphere(forms_of(p, ray),
-                {block.center[0][lane], block.center[1][lane], block.center[2][lane]},
-                block.radius[lane], block.object[lane], search);
-    end_search<kAny>(search, p, ray);
-}
-
-/// A block of spheres against the `rays` of a group.
-template <bool kAny>
-HWY_INLINE void test_sphere_group(const Geometry<float>& g, ChildRef at, std::uint32_t rays,
-                                  Packet& p, std::size_t group) {
-    const SphereBlock<float>& block = g.wide.spheres[at.index()];
-    for (std::size_t lane = 0; lane < at.count(); ++lane) {
-        std::uint32_t bits = rays & met_by_group(block, lane, p, group);
-        p.primitive_tests += Packet::kLanes;
-        while (bits != 0) {
-            const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-            bits &= bits - 1;
-            const std::size_t ray = group * Packet::kLanes + i;
-            // Through already, by a sphere before this one.
-            if (kAny && p.best[ray].object.valid()) continue;
-            test_sphere_lane<kAny>(g, block, lane, p, ray);
-        }
-    }
-}
-
 /// Everything else, one ray at a time.
 template <bool kAny>
 HWY_NOINLINE void test_others(const Geometry<float>& g, ChildRef at, Packet& p, std::size_t ray) {
@@ -191,18 +122,6 @@ HWY_NOINLINE void test_others(const Geometry<float>& g, ChildRef at, Packet& p, 
     Search<float> search = begin_search(p, ray);
     test_leaf<kAny>(g, at, forms_of(p, ray), search);
     p.primitive_tests += search.primitive_tests;
-    end_search<kAny>(search, p, ray);
-}
-
-/// A box of the scene in a node's slot.
-template <bool kAny>
-HWY_NOINLINE void test_box_slot(const Geometry<float>& g, const WideNode<float>& node,
-                                std::size_t slot, Packet& p, std::size_t ray) {
-    settle(g.wide, p, ray);
-    Search<float> search = begin_search(p, ray);
-    test_box(forms_of(p, ray), slot_bounds(node, slot), g.box_objects[node.child[slot].index()],
-             search);
-    p.primitive_tests += 1;
     end_search<kAny>(search, p, ray);
 }
 
@@ -291,15 +210,14 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
                 test_sphere_group<kAny>(g, at.child, bits, p, group);
                 continue;
             }
+            if (at.child.kind() == PrimitiveKind::kBox) {
+                test_box_group<kAny>(g, parent, at.slot, bits, p, group);
+                continue;
+            }
             while (bits != 0) {
                 const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                 bits &= bits - 1;
-                const std::size_t ray = group * Packet::kLanes + i;
-                if (at.child.kind() == PrimitiveKind::kBox) {
-                    test_box_slot<kAny>(g, parent, at.slot, p, ray);
-                } else {
-                    test_others<kAny>(g, at.child, p, ray);
-                }
+                test_others<kAny>(g, at.child, p, group * Packet::kLanes + i);
             }
         }
         bound = greatest_bound(p);

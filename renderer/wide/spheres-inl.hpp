@@ -24,6 +24,34 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
+/// Each lane's quadratic as intersect_sphere() has it, bit for bit: a t^2 - 2 b t + c, and what is
+/// left of the radius' square where the line comes nearest, below 0 where it misses.
+template <class V>
+struct SphereTerms {
+    V a, b, rest, c;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V dot_lanes(D, V x0, V y0, V z0, V x1, V y1, V z1) {
+    return hn::Add(hn::Add(hn::Mul(x0, x1), hn::Mul(y0, y1)), hn::Mul(z0, z1));
+}
+
+/// f: from the centre to the origin; `r`: the radius.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE SphereTerms<V> sphere_terms(D d, V fx, V fy, V fz, V dx, V dy, V dz, V r) {
+    SphereTerms<V> terms;
+    terms.a = dot_lanes(d, dx, dy, dz, dx, dy, dz);
+    terms.b = hn::Sub(hn::Zero(d), dot_lanes(d, fx, fy, fz, dx, dy, dz));
+    const V q = hn::Div(terms.b, terms.a);
+    const V lx = hn::Add(fx, hn::Mul(dx, q));
+    const V ly = hn::Add(fy, hn::Mul(dy, q));
+    const V lz = hn::Add(fz, hn::Mul(dz, q));
+    const V square = hn::Mul(r, r);
+    terms.rest = hn::Sub(square, dot_lanes(d, lx, ly, lz, lx, ly, lz));
+    terms.c = hn::Sub(dot_lanes(d, fx, fy, fz, fx, fy, fz), square);
+    return terms;
+}
+
 /// The lanes that the line of the ray meets: the discriminant of intersect_sphere(), bit for bit.
 HWY_INLINE std::uint32_t met_spheres(const SphereBlock<float>& block, const RayForms<float>& ray) {
     using D = hn::CappedTag<double, kBlockLanes>;
@@ -34,28 +62,16 @@ HWY_INLINE std::uint32_t met_spheres(const SphereBlock<float>& block, const RayF
     const auto dx = hn::Set(d, along.x);
     const auto dy = hn::Set(d, along.y);
     const auto dz = hn::Set(d, along.z);
-    const auto a = hn::Set(d, dot(along, along));
-    const auto zero = hn::Zero(d);
-    const auto dot_of = [&](auto x0, auto y0, auto z0, auto x1, auto y1, auto z1) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(x0, x1), hn::Mul(y0, y1)), hn::Mul(z0, z1));
-    };
     std::uint32_t bits = 0;
     for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
         const auto relative = [&](std::size_t axis) HWY_ATTR {
             return hn::Sub(hn::Set(d, double{ray.shear.origin[axis]}),
                            hn::PromoteTo(d, hn::Load(df, block.center[axis] + part)));
         };
-        const auto fx = relative(0);
-        const auto fy = relative(1);
-        const auto fz = relative(2);
         const auto r = hn::PromoteTo(d, hn::Load(df, block.radius + part));
-        const auto b = hn::Sub(zero, dot_of(fx, fy, fz, dx, dy, dz));
-        const auto q = hn::Div(b, a);
-        const auto lx = hn::Add(fx, hn::Mul(dx, q));
-        const auto ly = hn::Add(fy, hn::Mul(dy, q));
-        const auto lz = hn::Add(fz, hn::Mul(dz, q));
-        const auto rest = hn::Sub(hn::Mul(r, r), dot_of(lx, ly, lz, lx, ly, lz));
-        bits |= bits_of(d, hn::Ge(rest, zero)) << part;
+        const auto rest =
+            sphere_terms(d, relative(0), relative(1), relative(2), dx, dy, dz, r).rest;
+        bits |= bits_of(d, hn::Ge(rest, hn::Zero(d))) << part;
     }
     return bits;
 }
@@ -83,9 +99,6 @@ HWY_INLINE std::uint32_t open_spheres(const SphereBlock<float>& block, const Ray
     const auto dy = hn::Set(d, v[1]);
     const auto dz = hn::Set(d, v[2]);
     const auto slack = hn::Set(d, kSlack);
-    const auto dot_of = [](auto x0, auto y0, auto z0, auto x1, auto y1, auto z1) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(x0, x1), hn::Mul(y0, y1)), hn::Mul(z0, z1));
-    };
     std::uint32_t bits = 0;
     for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
         const auto relative = [&](std::size_t axis) HWY_ATTR {
@@ -95,12 +108,12 @@ HWY_INLINE std::uint32_t open_spheres(const SphereBlock<float>& block, const Ray
         const auto fy = relative(1);
         const auto fz = relative(2);
         const auto r = hn::Load(d, block.radius + part);
-        const auto q = hn::Mul(hn::Neg(dot_of(fx, fy, fz, dx, dy, dz)), inverse);
+        const auto q = hn::Mul(hn::Neg(dot_lanes(d, fx, fy, fz, dx, dy, dz)), inverse);
         const auto lx = hn::Add(fx, hn::Mul(dx, q));
         const auto ly = hn::Add(fy, hn::Mul(dy, q));
         const auto lz = hn::Add(fz, hn::Mul(dz, q));
-        const auto surplus =
-            hn::Sub(dot_of(lx, ly, lz, lx, ly, lz), hn::Mul(slack, dot_of(fx, fy, fz, fx, fy, fz)));
+        const auto surplus = hn::Sub(dot_lanes(d, lx, ly, lz, lx, ly, lz),
+                                     hn::Mul(slack, dot_lanes(d, fx, fy, fz, fx, fy, fz)));
         const auto reach = hn::Add(hn::Mul(hn::Add(hn::Set(d, 1.0F), slack), hn::Mul(r, r)),
                                    hn::Set(d, std::numeric_limits<float>::min()));
         auto missed = hn::And(hn::Gt(surplus, reach),

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Spheres and boxes of a tree against a group of a packet's rays, a lane each.
+//
+// Read again for each instruction set, so that its guard is Highway's and not a pragma.
+#if defined(COBBLE_PACKET_SHAPES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef COBBLE_PACKET_SHAPES_INL
+#undef COBBLE_PACKET_SHAPES_INL
+#else
+#define COBBLE_PACKET_SHAPES_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "renderer/scene/geometry.hpp"
+#include "renderer/wide/settle-inl.hpp"
+#include "renderer/wide/spheres-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace cobble::renderer::HWY_NAMESPACE {
+
+/// Search::offer() for a ray of a packet.
+template <bool kAny>
+HWY_INLINE void offer(const WideTree<float>& tree, Packet& p, std::size_t ray, float t,
+                      ir::ObjectId object, std::uint32_t face) {
+    if (!(t > p.t_min[ray])) return;
+    Hit<float>& best = p.best[ray];
+    if constexpr (kAny) {
+        if (!(t < best.t)) return;
+        best.object = object;
+        p.bound[ray] = std::numeric_limits<float>::lowest();
+        return;
+    }
+    if (p.ahead[ray] != Packet::kNoTriangle) {
+        if (t < p.ahead_near[ray]) {
+            p.ahead[ray] = Packet::kNoTriangle;
+        } else {
+            settle(tree, p, ray);
+        }
+    }
+    const bool before =
+        t < best.t || (t == best.t && best.object.valid() &&
+                       (object < best.object || (object == best.object && face < best.face)));
+    if (!before) return;
+    best = {t, object, face, 0, 0};
+    p.bound[ray] = t;
+}
+
+/// What a group's rays span of a box, not clipped by where they start or end: slab_span().
+struct GroupSpans {
+    hn::Vec<Packet::D> near, far;
+};
+HWY_INLINE GroupSpans group_spans(const BoxBounds<float>& box, const Packet& p, std::size_t group) {
+    const Packet::D d;
+    const std::size_t at = group * Packet::kLanes;
+    GroupSpans spans{hn::Set(d, std::numeric_limits<float>::lowest()),
+                     hn::Set(d, std::numeric_limits<float>::max())};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const bool negative = p.negative[a];
+        const auto o = hn::Load(d, p.origin[a] + at);
+        const auto first = hn::Sub(hn::Set(d, negative ? box.hi[a] : box.lo[a]), o);
+        const auto last = hn::Sub(hn::Set(d, negative ? box.lo[a] : box.hi[a]), o);
+        spans.near = hn::Max(spans.near, hn::Mul(first, hn::Load(d, p.inverse[a] + at)));
+        spans.far = hn::Min(spans.far, hn::Mul(last, hn::Load(d, p.inverse_far[a] + at)));
+    }
+    return spans;
+}
+
+/// The rays of a group that meet a sphere, and where: intersect_sphere() and what test_sphere()
+/// makes of it, bit for bit.
+struct SphereHits {
+    alignas(64) float near[Packet::kLanes];
+    alignas(64) float far[Packet::kLanes];
+};
+HWY_INLINE std::uint32_t meet_sphere(const SphereBlock<float>& block, std::size_t lane,
+                                     const Packet& p, std::size_t group, std::uint32_t rays,
+                                     SphereHits& hits) {
+    using D = hn::CappedTag<double, 8>;
+    const D d;
+    const hn::Rebind<float, D> df;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const auto zero = hn::Zero(d);
+    const auto r = hn::Set(d, double{block.radius[lane]});
+    std::uint32_t bits = 0;
+    for (std::size_t part = 0; part < Packet::kLanes; part += kLanes) {
+        if ((rays >> part & ((1U << kLanes) - 1)) == 0) continue;
+        const std::size_t at = group * Packet::kLanes + part;
+        const auto along = [&](std::size_t axis) HWY_ATTR {
+            return hn::PromoteTo(d, hn::Load(df, p.direction[axis] + at));
+        };
+        const auto relative = [&](std::size_t axis) HWY_ATTR {
+            return hn::Sub(hn::PromoteTo(d, hn::Load(df, p.origin[axis] + at)),
+                           hn::Set(d, double{block.center[axis][lane]}));
+        };
+        const auto terms =
+            sphere_terms(d, relative(0), relative(1), relative(2), along(0), along(1), along(2), r);
+        const auto [a, b, rest, c] = terms;
+        const std::uint32_t met = bits_of(d, hn::Ge(rest, zero));
+        if (met == 0) continue;
+        bits |= met << part;
+        // stable_roots()
+        const auto root = hn::Sqrt(hn::Mul(a, rest));
+        const auto sum = hn::IfThenElse(hn::Lt(b, zero), hn::Sub(b, root), hn::Add(b, root));
+        const auto first = hn::Div(sum, a);
+        const auto some = hn::Or(hn::Gt(sum, zero), hn::Lt(sum, zero));
+        const auto second = hn::IfThenElseZero(some, hn::Div(c, sum));
+        const auto in_order = hn::Lt(first, second);
+        hn::Store(hn::DemoteTo(df, hn::IfThenElse(in_order, first, second)), df, hits.near + part);
+        hn::Store(hn::DemoteTo(df, hn::IfThenElse(in_order, second, first)), df, hits.far + part);
+    }
+    bits &= rays;
+    if (bits == 0) return 0;
+    const Packet::D of_rays;
+    const GroupSpans spans = group_spans(
+        bounds_of(
+            math::Vec3<float>{block.center[0][lane], block.center[1][lane], block.center[2][lane]},
+            block.radius[lane]),
+        p, group);
+    const auto clamped = [&](const float* t) HWY_ATTR {
+        const auto v = hn::Load(of_rays, t);
+        return hn::IfThenElse(hn::Lt(v, spans.near), spans.near,
+                              hn::IfThenElse(hn::Gt(v, spans.far), spans.far, v));
+    };
+    hn::Store(clamped(hits.near), of_rays, hits.near);
+    hn::Store(clamped(hits.far), of_rays, hits.far);
+    return bits & bits_of(of_rays, hn::Le(spans.near, spans.far));
+}
+
+/// A block of spheres against the `rays` of a group.
+template <bool kAny>
+HWY_INLINE void test_sphere_group(const Geometry<float>& g, ChildRef at, std::uint32_t rays,
+                                  Packet& p, std::size_t group) {
+    const SphereBlock<float>& block = g.wide.spheres[at.index()];
+    for (std::size_t lane = 0; lane < at.count(); ++lane) {
+        SphereHits hits;
+        std::uint32_t bits = meet_sphere(block, lane, p, group, rays, hits);
+        p.primitive_tests += Packet::kLanes;
+        const ir::ObjectId object = block.object[lane];
+        while (bits != 0) {
+            const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+            bits &= bits - 1;
+            const std::size_t ray = group * Packet::kLanes + i;
+            // Through already, by a sphere before this one.
+            if (kAny && p.best[ray].object.valid()) continue;
+            const Exclude& exclude = p.excludes[ray];
+            const bool left = object == exclude.object;
+            if (left && !exclude.goes_inside) continue;
+            const bool enters = hits.near[i] > p.t_min[ray] && !left;
+            offer<kAny>(g.wide, p, ray, enters ? hits.near[i] : hits.far[i], object, 0);
+        }
+    }
+}
+
+/// A box of the scene in a node's slot.
+template <bool kAny>
+HWY_NOINLINE void test_box_slot(const Geometry<float>& g, const WideNode<float>& node,
+                                std::size_t slot, Packet& p, std::size_t ray) {
+    settle(g.wide, p, ray);
+    Search<float> search = begin_search(p, ray);
+    test_box(forms_of(p, ray), slot_bounds(node, slot), g.box_objects[node.child[slot].index()],
+             search);
+    p.primitive_tests += 1;
+    end_search<kAny>(search, p, ray);
+}
+
+/// The same for the `rays` of a group. Where they surely meet the box ahead of them, what they
+/// span of it is what test_box() computes.
+template <bool kAny>
+HWY_INLINE void test_box_group(const Geometry<float>& g, const WideNode<float>& node,
+                               std::size_t slot, std::uint32_t rays, Packet& p, std::size_t group) {
+    const Packet::D d;
+    const std::size_t at = group * Packet::kLanes;
+    const BoxBounds<float> box = slot_bounds(node, slot);
+    const ir::ObjectId object = g.box_objects[node.child[slot].index()];
+    const GroupSpans spans = group_spans(box, p, group);
+    // The ends are widened, by less than this.
+    constexpr float kNarrowed = 1 - 16 * std::numeric_limits<float>::epsilon();
+    const auto sure = hn::And(hn::Gt(spans.near, hn::Load(d, p.t_min + at)),
+                              hn::Le(spans.near, hn::Mul(spans.far, hn::Set(d, kNarrowed))));
+    // The first axis on which the span begins, as intersect_box() finds it.
+    const auto begins = [&](std::size_t a) HWY_ATTR {
+        const float first = p.negative[a] ? box.hi[a] : box.lo[a];
+        return hn::Eq(hn::Mul(hn::Sub(hn::Set(d, first), hn::Load(d, p.origin[a] + at)),
+                              hn::Load(d, p.inverse[a] + at)),
+                      spans.near);
+    };
+    const std::uint32_t sure_bits = bits_of(d, sure);
+    const std::uint32_t on_x = bits_of(d, begins(0));
+    const std::uint32_t on_y = bits_of(d, begins(1));
+    alignas(64) float near[Packet::kLanes];
+    hn::Store(spans.near, d, near);
+    while (rays != 0) {
+        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
+        rays &= rays - 1;
+        const std::size_t ray = at + i;
+        const Exclude& exclude = p.excludes[ray];
+        const bool left = object == exclude.object;
+        if (left && !exclude.goes_inside) continue;
+        if (HWY_UNLIKELY(left || (sure_bits >> i & 1) == 0)) {
+            test_box_slot<kAny>(g, node, slot, p, ray);
+            continue;
+        }
+        ++p.primitive_tests;
+        const std::uint32_t axis = (on_x >> i & 1) != 0 ? 0 : (on_y >> i & 1) != 0 ? 1 : 2;
+        offer<kAny>(g.wide, p, ray, near[i], object, 2 * axis + (p.negative[axis] ? 1 : 0));
+    }
+}
+
+}  // namespace cobble::renderer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
