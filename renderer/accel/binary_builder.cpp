@@ -2,9 +2,7 @@
 #include "renderer/accel/binary_builder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <memory>
 
 #include "renderer/accel/build_kernels.hpp"
@@ -29,95 +27,35 @@ std::uint32_t slot_capacity(PrimitiveKind kind) {
     return kind == PrimitiveKind::kTriangle || kind == PrimitiveKind::kSphere ? kBlockLanes : 1;
 }
 
-/// Slots that `n` primitives need: what a traversal pays for.
-std::uint32_t slots(std::uint32_t n) { return (n + 3) / 4; }
-
+/// Some items that lie together, in the caller's array or in the other one.
 template <typename T>
 struct Task {
     std::uint32_t node, first, count, depth;
+    bool elsewhere, mixed;
     ItemExtents<T> extents;
 };
 
-/// Grows from one end of an axis' bins to the other. Areas are in units of the node's longest
-/// side, so that none overflows.
 template <typename T>
-class Sweep {
-  public:
-    explicit Sweep(T unit) : unit_(unit) {}
-
-    void add(const Bin<T>& bin, std::uint32_t n) {
-        for (std::size_t a = 0; a < 3; ++a) {
-            lo_[a] = bin.lo[a] < lo_[a] ? bin.lo[a] : lo_[a];
-            minus_hi_[a] = bin.minus_hi[a] < minus_hi_[a] ? bin.minus_hi[a] : minus_hi_[a];
-        }
-        count_ += n;
-    }
-    [[nodiscard]] std::uint32_t count() const { return count_; }
-    /// Not before something was added.
-    [[nodiscard]] T cost() const {
-        const T x = (-minus_hi_[0] - lo_[0]) * unit_;
-        const T y = (-minus_hi_[1] - lo_[1]) * unit_;
-        const T z = (-minus_hi_[2] - lo_[2]) * unit_;
-        return ((x * y + y * z) + z * x) * static_cast<T>(slots(count_));
-    }
-
-  private:
-    static constexpr T kInfinity = std::numeric_limits<T>::infinity();
-
-    T unit_;
-    std::array<T, 3> lo_{kInfinity, kInfinity, kInfinity};
-    std::array<T, 3> minus_hi_{kInfinity, kInfinity, kInfinity};
-    std::uint32_t count_ = 0;
-};
-
-template <typename T>
-struct WeighedSplit {
-    T cost = std::numeric_limits<T>::infinity();
-    BinSplit split;
-};
-
-template <typename T>
-WeighedSplit<T> best_split(const BuildItem<T>* items, std::uint32_t count,
-                           const BoxBounds<T>& bounds, const Binning<T>& binning) {
-    Bins<T> bins;
-    fill_bins(items, count, binning, bins);
-    const math::Vec3<T> sides = bounds.hi - bounds.lo;
-    const T unit = 1 / std::max({sides.x, sides.y, sides.z, std::numeric_limits<T>::min()});
-    WeighedSplit<T> best;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!(binning.per_unit[axis] > 0)) continue;
-        std::array<T, kMostBins> right_cost;
-        Sweep<T> right(unit);
-        for (std::uint32_t bin = binning.bins - 1; bin > 0; --bin) {
-            right.add(bins.bins[axis][bin], bins.counts[axis][bin]);
-            right_cost[bin] = right.count() == 0 ? T(0) : right.cost();
-        }
-        Sweep<T> left(unit);
-        for (std::uint32_t bin = 1; bin < binning.bins; ++bin) {
-            left.add(bins.bins[axis][bin - 1], bins.counts[axis][bin - 1]);
-            if (left.count() == 0 || left.count() == count) continue;
-            const T cost = left.cost() + right_cost[bin];
-            if (cost < best.cost) best = {cost, {axis, bin}};
-        }
-    }
-    return best;
+bool mixed_kinds(const BuildItem<T>* items, std::uint32_t count) {
+    return std::any_of(items, items + count, [items](const BuildItem<T>& item) {
+        return item.kind() != items[0].kind();
+    });
 }
 
 template <typename T>
 class BinaryBuilder {
   public:
     BinaryBuilder(std::vector<BuildItem<T>>& items, const BuildControl& control)
-        : items_(items),
-          scratch_bytes_(
-              std::make_unique_for_overwrite<std::byte[]>(items.size() * sizeof(BuildItem<T>))),
-          scratch_(reinterpret_cast<BuildItem<T>*>(scratch_bytes_.get())),
+        : items_(items.data()),
+          all_(static_cast<std::uint32_t>(items.size())),
+          others_(std::make_unique_for_overwrite<BuildItem<T>[]>(items.size())),
           control_(control) {}
 
     BinaryTree<T> run() {
-        const auto all = static_cast<std::uint32_t>(items_.size());
-        const std::uint32_t most = std::max(all / kShares, kSmallSubtree);
+        const std::uint32_t most = std::max(all_ / kShares, kSmallSubtree);
         tree_.nodes.resize(1);
-        std::vector<Task<T>> big = {{0, 0, all, 0, measure_items(items_.data(), all)}};
+        std::vector<Task<T>> big = {
+            {0, 0, all_, 0, false, mixed_kinds(items_, all_), measure_items(items_, all_)}};
         std::vector<Task<T>> small;
         while (!big.empty() && !control_.stopped()) {
             const Task<T> task = big.back();
@@ -140,22 +78,60 @@ class BinaryBuilder {
 
     /// Splits one node, and notes its halves to be split.
     void halve(Nodes& nodes, const Task<T>& task, std::vector<Task<T>>& tasks) {
-        nodes[task.node] = {task.extents.bounds, 0, task.first, task.count};
-        const Halves<T> halves = split(task);
+        nodes[task.node] = {task.extents.box.box(), 0, task.first, task.count};
+        BuildItem<T>* const items = place(task);
+        const PrimitiveKind kind = items[0].kind();
+        if (task.count == 1 || (!task.mixed && task.count <= slot_capacity(kind))) {
+            if (task.elsewhere) std::copy_n(items, task.count, items_ + task.first);
+            return;
+        }
+        bool elsewhere = task.elsewhere;
+        const Halves<T> halves = split(items, task, elsewhere);
         const std::uint32_t left = halves.left_count;
-        if (left == 0) return;
         const auto child = static_cast<std::uint32_t>(nodes.size());
         nodes[task.node].left = child;
         nodes.resize(nodes.size() + 2);
-        const std::uint32_t depth = task.depth + 1;
-        tasks.push_back({child + 1, task.first + left, task.count - left, depth, halves.right});
-        tasks.push_back({child, task.first, left, depth, halves.left});
+        const auto note = [&](std::uint32_t node, std::uint32_t first, std::uint32_t count,
+                              const ItemExtents<T>& extents) {
+            Task<T> half{node, first, count, task.depth + 1, elsewhere, false, extents};
+            half.mixed = task.mixed && mixed_kinds(place(half), count);
+            tasks.push_back(half);
+        };
+        note(child + 1, task.first + left, task.count - left, halves.right);
+        note(child, task.first, left, halves.left);
+    }
+
+    [[nodiscard]] BuildItem<T>* place(const Task<T>& task) const {
+        return (task.elsewhere ? others_.get() : items_) + task.first;
+    }
+
+    /// Changes `elsewhere` if the halves are not where the whole was.
+    Halves<T> split(BuildItem<T>* items, const Task<T>& task, bool& elsewhere) {
+        if (task.depth < kHalvingDepth) {
+            BuildItem<T>* const to = (elsewhere ? items_ : others_.get()) + task.first;
+            const Halves<T> halves = split_items(items, task.count, task.extents,
+                                                 task.count < kFewItems ? kFewBins : kMostBins, to);
+            if (halves.left_count > 0) {
+                elsewhere = !elsewhere;
+                return halves;
+            }
+        }
+        std::uint32_t left = task.count / 2;
+        if (task.mixed && task.count <= 2 * kBlockLanes) {
+            const PrimitiveKind kind = items[0].kind();
+            const auto* const end = std::stable_partition(
+                items, items + task.count,
+                [&](const BuildItem<T>& item) { return item.kind() == kind; });
+            left = static_cast<std::uint32_t>(end - items);
+        }
+        return {left, measure_items(items, left), measure_items(items + left, task.count - left)};
     }
 
     Nodes build(const Task<T>& root) {
         Nodes nodes(1);
         nodes.reserve(root.count);
-        std::vector<Task<T>> tasks = {{0, root.first, root.count, root.depth, root.extents}};
+        std::vector<Task<T>> tasks = {root};
+        tasks[0].node = 0;
         while (!tasks.empty() && !control_.stopped()) {
             const Task<T> task = tasks.back();
             tasks.pop_back();
@@ -179,35 +155,10 @@ class BinaryBuilder {
         }
     }
 
-    /// Nothing on the left for a leaf.
-    Halves<T> split(const Task<T>& task) {
-        if (task.count == 1) return {};
-        BuildItem<T>* const items = items_.data() + task.first;
-        const PrimitiveKind kind = items[0].kind;
-        const bool mixed = task.extents.kinds != 1U << static_cast<std::uint32_t>(kind);
-        if (!mixed && task.count <= slot_capacity(kind)) return {};
-        if (task.depth < kHalvingDepth) {
-            const Binning<T> binning(task.extents.middles,
-                                     task.count < kFewItems ? kFewBins : kMostBins);
-            const auto best = best_split(items, task.count, task.extents.bounds, binning);
-            if (best.cost < std::numeric_limits<T>::infinity()) {
-                return split_by_bin(items, task.count, binning, best.split, scratch_ + task.first);
-            }
-        }
-        std::uint32_t left = task.count / 2;
-        if (mixed && task.count <= 2 * kBlockLanes) {
-            const auto* const end =
-                std::stable_partition(items, items + task.count,
-                                      [&](const BuildItem<T>& item) { return item.kind == kind; });
-            left = static_cast<std::uint32_t>(end - items);
-        }
-        return {left, measure_items(items, left), measure_items(items + left, task.count - left)};
-    }
-
-    std::vector<BuildItem<T>>& items_;
-    /// As many items as items_ has, none of them written before it is needed.
-    std::unique_ptr<std::byte[]> scratch_bytes_;
-    BuildItem<T>* scratch_;
+    BuildItem<T>* items_;
+    std::uint32_t all_;
+    /// As many as all: a split moves items from one array to the other, and leaves move them home.
+    std::unique_ptr<BuildItem<T>[]> others_;
     const BuildControl& control_;
     BinaryTree<T> tree_;
 };

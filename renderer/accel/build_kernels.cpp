@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/accel/build_kernels.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -16,228 +15,347 @@ namespace cobble::renderer::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-static_assert(sizeof(BuildItem<float>) == 32);
+static_assert(sizeof(Extent<float>) == 8 * sizeof(float));
 
-/// Three numbers and one without meaning; on machines without such registers one at a time.
-template <typename Each>
-HWY_INLINE void each_part(Each each) {
-    using D = hn::CappedTag<float, 4>;
-    for (std::size_t part = 0; part < 4; part += hn::MaxLanes(D())) each(D(), part);
-}
-
-/// The low and high corner of an item. What is read beyond them is the item's own: behind the low
-/// one a number, behind the high one bits that are none.
-HWY_INLINE const float* low(const BuildItem<float>& item) { return &item.bounds.lo.x; }
-HWY_INLINE const float* high(const BuildItem<float>& item) { return &item.bounds.hi.x; }
-
-/// The bits behind the high corner left out: as a number they may be so small that arithmetic with
-/// them takes a hundred times as long.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V clean_high(D d, const BuildItem<float>& item, std::size_t part) {
-    alignas(16) static constexpr std::uint32_t kCorner[4] = {~0U, ~0U, ~0U, 0};
-    const hn::RebindToUnsigned<D> du;
-    return hn::And(hn::LoadU(d, high(item) + part), hn::BitCast(d, hn::Load(du, kCorner + part)));
-}
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V middle(D d, const BuildItem<float>& item, std::size_t part) {
-    const auto half = hn::Set(d, 0.5F);
-    return hn::Add(hn::Mul(hn::LoadU(d, low(item) + part), half),
-                   hn::Mul(clean_high(d, item, part), half));
-}
-
-/// Eight numbers as in a Bin, in as many lanes as there are.
+/// The eight numbers of an Extent, in as many lanes as there are.
 using BoxLanes = hn::CappedTag<float, 8>;
+using Box = hn::Vec<BoxLanes>;
 inline constexpr std::size_t kBoxStep = hn::MaxLanes(BoxLanes());
 inline constexpr std::size_t kBoxParts = 8 / kBoxStep;
 
-HWY_INLINE hn::Vec<BoxLanes> box_of(const BuildItem<float>& item, std::size_t part) {
+HWY_INLINE const float* numbers(const Extent<float>& extent) { return extent.lo; }
+HWY_INLINE float* numbers(Extent<float>& extent) { return extent.lo; }
+
+HWY_INLINE float* numbers(BuildItem<float>& item) {
+    return reinterpret_cast<float*>(&item);  // all that it is
+}
+
+HWY_INLINE Box load(const Extent<float>& extent, std::size_t part) {
+    return hn::Load(BoxLanes(), numbers(extent) + part * kBoxStep);
+}
+
+/// Twice the middle and its negative.
+HWY_INLINE Box middle_twice(const Extent<float>& extent, std::size_t part) {
     const BoxLanes d;
+    const Box own = load(extent, part);
 #if HWY_TARGET != HWY_SCALAR
-    if constexpr (kBoxStep == 8) {
-        const hn::Half<BoxLanes> half;
-        return hn::Combine(d, hn::Neg(hn::LoadU(half, high(item))), hn::LoadU(half, low(item)));
-    }
+    if constexpr (kBoxParts == 1) return hn::Sub(own, hn::ConcatLowerUpper(d, own, own));
 #endif
-    return part < 4 ? hn::LoadU(d, low(item) + part)
-                    : hn::Neg(hn::LoadU(d, high(item) + (part - 4)));
+    return hn::Sub(own, hn::Load(d, numbers(extent) + ((part * kBoxStep) ^ 4)));
 }
 
-/// The same of an item's middle.
-HWY_INLINE hn::Vec<BoxLanes> middle_twice(const BuildItem<float>& item, std::size_t part) {
-    const BoxLanes d;
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (kBoxStep == 8) {
-        const hn::Half<BoxLanes> half;
-        const auto m = middle(half, item, 0);
-        return hn::Combine(d, hn::Neg(m), m);
-    }
-#endif
-    return part < 4 ? middle(d, item, part) : hn::Neg(middle(d, item, part - 4));
-}
-
-BoxBounds<float> bounds_of(const float* numbers) {
-    return {{numbers[0], numbers[1], numbers[2]}, {-numbers[4], -numbers[5], -numbers[6]}};
-}
-
-HWY_INLINE std::uint32_t kind_bit(const BuildItem<float>& item) {
-    return 1U << static_cast<std::uint32_t>(item.kind);
-}
-
-/// What some items span, in lanes.
-struct Side {
-    using V = hn::Vec<BoxLanes>;
-    V box[kBoxParts];
-    V middle[kBoxParts];
-    std::uint32_t kinds = 0;
+/// Grows by what is added, in lanes.
+struct Growing {
+    Box parts[kBoxParts];
 
     HWY_INLINE void clear() {
-        for (std::size_t part = 0; part < kBoxParts; ++part) {
-            box[part] = hn::Set(BoxLanes(), std::numeric_limits<float>::infinity());
-            middle[part] = box[part];
-        }
+        for (Box& part : parts) part = hn::Set(BoxLanes(), std::numeric_limits<float>::infinity());
     }
-    HWY_INLINE void add(std::size_t part, V of_box, V of_middle) {
-        box[part] = hn::Min(box[part], of_box);
-        middle[part] = hn::Min(middle[part], of_middle);
+    HWY_INLINE void add(std::size_t part, Box box) { parts[part] = hn::Min(parts[part], box); }
+    HWY_INLINE void add(const Extent<float>& extent) {
+        for (std::size_t part = 0; part < kBoxParts; ++part) add(part, load(extent, part));
     }
-    HWY_INLINE ItemExtents<float> extents() const {
-        alignas(32) float boxes[8];
-        alignas(32) float middles[8];
+    HWY_INLINE void store(Extent<float>& to) const {
         for (std::size_t part = 0; part < kBoxParts; ++part) {
-            hn::Store(box[part], BoxLanes(), boxes + part * kBoxStep);
-            hn::Store(middle[part], BoxLanes(), middles + part * kBoxStep);
+            hn::Store(parts[part], BoxLanes(), numbers(to) + part * kBoxStep);
         }
-        return {bounds_of(boxes), bounds_of(middles), kinds};
     }
 };
 
 void measure(const BuildItem<float>* items, std::size_t count, ItemExtents<float>& out) {
-    Side all;
-    all.clear();
+    Growing box;
+    Growing middles;
+    box.clear();
+    middles.clear();
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t part = 0; part < kBoxParts; ++part) {
-            all.add(part, box_of(items[i], part * kBoxStep),
-                    middle_twice(items[i], part * kBoxStep));
+            box.add(part, load(items[i].extent(), part));
+            middles.add(part, middle_twice(items[i].extent(), part));
         }
-        all.kinds |= kind_bit(items[i]);
     }
-    out = all.extents();
+    box.store(out.box);
+    middles.store(out.middles);
 }
 
-HWY_INLINE float* numbers(Bin<float>& bin) { return bin.lo; }
-static_assert(sizeof(Bin<float>) == 8 * sizeof(float));
+#if HWY_TARGET == HWY_SCALAR
 
-/// Where the middle of an item lies, in bins.
+HWY_INLINE void fill(const BuildItem<float>* items, std::uint32_t count,
+                     const Binning<float>& binning, Bins<float>& bins) {
+    plain::clear_bins(binning.bins, bins);
+    for (std::uint32_t i = 0; i < count; ++i) plain::put(items[i], binning, bins);
+}
+
+HWY_INLINE BinSplit best_split(const Bins<float>& bins, std::uint32_t count, float unit) {
+    return plain::best_split(bins, count, unit);
+}
+
+#else
+
+/// A number for each axis.
+using AxisLanes = hn::CappedTag<float, 4>;
+using Axes = hn::Vec<AxisLanes>;
+using CountLanes = hn::RebindToSigned<AxisLanes>;
+
+HWY_INLINE void clear(std::uint32_t count, Bins<float>& bins) {
+    const BoxLanes d;
+    const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
+    const hn::RebindToUnsigned<AxisLanes> du;
+    for (std::uint32_t b = 0; b < count; ++b) {
+        for (std::size_t i = 0; i < 3 * 8; i += kBoxStep) {
+            hn::Store(infinity, d, numbers(bins.extents[b][0]) + i);
+        }
+        hn::Store(hn::Zero(du), du, bins.counts[b]);
+    }
+}
+
+/// Where the middle of an item lies.
 struct BinScale {
-    alignas(16) float from[4];
-    alignas(16) float scale[4];
-    float bins;
+    Axes from, scale, last;
 
-    explicit BinScale(const Binning<float>& binning)
-        : from{binning.lo.x, binning.lo.y, binning.lo.z, 0},
-          scale{binning.per_unit.x, binning.per_unit.y, binning.per_unit.z, 0},
-          bins(static_cast<float>(binning.bins)) {}
-
-    /// Of all three axes. NaN, of an axis that can not be binned, goes to the last one.
-    HWY_INLINE void find(const BuildItem<float>& item, std::int32_t* bin) const {
-        each_part([&](auto d, std::size_t part) HWY_ATTR {
-            const hn::RebindToSigned<decltype(d)> di;
-            const auto at = hn::Mul(hn::Sub(middle(d, item, part), hn::Load(d, from + part)),
-                                    hn::Load(d, scale + part));
-            const auto inside = hn::Lt(at, hn::Set(d, bins));
-            hn::Store(hn::ConvertTo(di, hn::IfThenElse(inside, at, hn::Set(d, bins - 1))), di,
-                      bin + part);
-        });
+    explicit HWY_INLINE BinScale(const Binning<float>& binning) {
+        const AxisLanes d;
+        from = hn::LoadU(d, binning.lo);
+        scale = hn::LoadU(d, binning.per_unit);
+        last = hn::Set(d, binning.last);
+    }
+    /// The bins along all axes, in bytes of Bins::counts. NaN goes to the last one, as in Binning.
+    HWY_INLINE void find(const Extent<float>& item, std::uint32_t* bytes) const {
+        const AxisLanes d;
+        const hn::RebindToUnsigned<AxisLanes> du;
+        const Axes middle = hn::Sub(hn::Load(d, item.lo), hn::Load(d, item.minus_hi));
+        const Axes at = hn::Add(hn::Mul(hn::Sub(middle, from), scale), hn::Set(d, 1.0F));
+        const Axes place = hn::IfThenElse(hn::Lt(at, last), at, last);
+        // Four bits behind the point, and as many zeros behind them.
+        constexpr int kShift = 23 - 4 - 4;
+        static_assert(kMostBins == 1U << 4 && sizeof(Bins<float>::counts[0]) == 1U << 4);
+        const auto bits = hn::ShiftRight<kShift>(hn::BitCast(du, place));
+        hn::Store(hn::And(bits, hn::Set(du, 0xf0U)), du, bytes);
     }
 };
 
 HWY_INLINE void put(const BuildItem<float>& item, const BinScale& scale, Bins<float>& bins) {
-    alignas(16) std::int32_t bin[4];
-    scale.find(item, bin);
+    alignas(16) std::uint32_t bin[4];
+    scale.find(item.extent(), bin);
+    Box box[kBoxParts];
+    for (std::size_t part = 0; part < kBoxParts; ++part) box[part] = load(item.extent(), part);
+    constexpr std::size_t kRatio = 8;
+    static_assert(sizeof(bins.extents) == kRatio * sizeof(bins.counts));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        bins.counts[axis][static_cast<std::uint32_t>(bin[axis])] += 1;
-    }
-    const BoxLanes d;
-    for (std::size_t part = 0; part < 8; part += kBoxStep) {
-        const auto box = box_of(item, part);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            float* const into =
-                numbers(bins.bins[axis][static_cast<std::uint32_t>(bin[axis])]) + part;
-            hn::Store(hn::Min(box, hn::Load(d, into)), d, into);
+        const std::size_t bytes = bin[axis];
+        *reinterpret_cast<std::uint32_t*>(reinterpret_cast<char*>(&bins.counts[0][axis]) + bytes) +=
+            1;
+        auto* const into = reinterpret_cast<float*>(
+            reinterpret_cast<char*>(&bins.extents[0][axis]) + bytes * kRatio);
+        for (std::size_t part = 0; part < kBoxParts; ++part) {
+            const BoxLanes d;
+            float* const at = into + part * kBoxStep;
+            hn::Store(hn::Min(box[part], hn::Load(d, at)), d, at);
         }
     }
 }
 
-void fill(const BuildItem<float>* items, std::size_t count, const Binning<float>& binning,
-          Bins<float>& bins) {
-    clear_bins(binning.bins, bins);
+HWY_INLINE void fill(const BuildItem<float>* items, std::uint32_t count,
+                     const Binning<float>& binning, Bins<float>& bins) {
+    clear(binning.bins, bins);
     const BinScale scale(binning);
     // Neighbours often go to one bin, and the second waits for the first: of many items every
     // other one goes to bins of its own.
-    constexpr std::size_t kMany = 128;
+    constexpr std::uint32_t kMany = 128;
     if (count < kMany) {
-        for (std::size_t i = 0; i < count; ++i) put(items[i], scale, bins);
+        for (std::uint32_t i = 0; i < count; ++i) put(items[i], scale, bins);
         return;
     }
     Bins<float> others;
-    clear_bins(binning.bins, others);
-    for (std::size_t i = 0; i + 1 < count; i += 2) {
+    clear(binning.bins, others);
+    for (std::uint32_t i = 0; i + 1 < count; i += 2) {
         put(items[i], scale, bins);
         put(items[i + 1], scale, others);
     }
     if (count % 2 != 0) put(items[count - 1], scale, bins);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::uint32_t b = 0; b < binning.bins; ++b) {
-            const BoxLanes d;
-            for (std::size_t part = 0; part < 8; part += kBoxStep) {
-                float* const into = numbers(bins.bins[axis][b]) + part;
-                const float* const from = numbers(others.bins[axis][b]) + part;
-                hn::Store(hn::Min(hn::Load(d, from), hn::Load(d, into)), d, into);
-            }
-            bins.counts[axis][b] += others.counts[axis][b];
+    for (std::uint32_t b = 0; b < binning.bins; ++b) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Growing both;
+            both.clear();
+            both.add(others.extents[b][axis]);
+            both.add(bins.extents[b][axis]);
+            both.store(bins.extents[b][axis]);
+            bins.counts[b][axis] += others.counts[b][axis];
         }
     }
 }
 
-void split(BuildItem<float>* items, std::size_t count, const Binning<float>& binning,
-           const BinSplit& where, BuildItem<float>* scratch, Halves<float>& out) {
-    const float from = binning.lo[where.axis];
-    const float scale = binning.per_unit[where.axis];
-    // The first bins' middles lie below a whole number: no need to round.
-    const auto end = static_cast<float>(where.bin);
+/// Low corners and negated high ones: lengths with the wrong sign.
+template <std::size_t kParts>
+HWY_INLINE Axes sum_of_corners(const Box (&parts)[kParts]) {
+    if constexpr (kParts == 1) {
+        const AxisLanes half;
+        return hn::Add(hn::LowerHalf(half, parts[0]), hn::UpperHalf(half, parts[0]));
+    } else {
+        return hn::Add(parts[0], parts[1]);
+    }
+}
+
+/// Sides of bins along all three axes at once, a lane each: x, y and z of the low corners, and of
+/// the negated high ones in the other half of the lanes, or in the second part.
+struct Sides {
+    Box of[3][kBoxParts];
+
+    HWY_INLINE void clear() {
+        for (auto& coordinate : of) {
+            for (Box& part : coordinate) {
+                part = hn::Set(BoxLanes(), std::numeric_limits<float>::infinity());
+            }
+        }
+    }
+    HWY_INLINE void add(const Sides& other) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t part = 0; part < kBoxParts; ++part) {
+                of[i][part] = hn::Min(of[i][part], other.of[i][part]);
+            }
+        }
+    }
+    /// From those of a bin along each axis.
+    HWY_INLINE void gather(const Extent<float>* extents) {
+        const BoxLanes d;
+        for (std::size_t part = 0; part < kBoxParts; ++part) {
+            const Box a = load(extents[0], part);
+            const Box b = load(extents[1], part);
+            const Box c = load(extents[2], part);
+            const Box ac = hn::InterleaveLower(d, a, c);
+            const Box bc = hn::InterleaveLower(d, b, c);
+            of[0][part] = hn::InterleaveLower(d, ac, bc);
+            of[1][part] = hn::InterleaveUpper(d, ac, bc);
+            of[2][part] =
+                hn::InterleaveLower(d, hn::InterleaveUpper(d, a, c), hn::InterleaveUpper(d, b, c));
+        }
+    }
+    HWY_INLINE void store(float* to) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t part = 0; part < kBoxParts; ++part) {
+                hn::Store(of[i][part], BoxLanes(), to + i * 8 + part * kBoxStep);
+            }
+        }
+    }
+    HWY_INLINE void load_all(const float* from) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t part = 0; part < kBoxParts; ++part) {
+                of[i][part] = hn::Load(BoxLanes(), from + i * 8 + part * kBoxStep);
+            }
+        }
+    }
+    /// As plain::cost.
+    [[nodiscard]] HWY_INLINE Axes cost(Axes unit, hn::Vec<CountLanes> counts) const {
+        const Axes x = hn::Mul(sum_of_corners(of[0]), unit);
+        const Axes y = hn::Mul(sum_of_corners(of[1]), unit);
+        const Axes z = hn::Mul(sum_of_corners(of[2]), unit);
+        const Axes area = hn::Add(hn::Add(hn::Mul(x, y), hn::Mul(y, z)), hn::Mul(z, x));
+        const auto most = hn::Add(counts, hn::Set(CountLanes(), 3));
+        return hn::Mul(area, hn::ConvertTo(AxisLanes(), hn::ShiftRight<2>(most)));
+    }
+};
+
+/// As plain::best_split.
+HWY_INLINE BinSplit best_split(const Bins<float>& bins, std::uint32_t count, float longest) {
+    const AxisLanes d;
+    const CountLanes di;
+    const Axes unit = hn::Set(d, longest);
+    alignas(32) float gathered[kMostBins][3 * 8];
+    alignas(16) float right_cost[kMostBins][4];
+    Sides side;
+    side.clear();
+    auto items = hn::Zero(di);
+    const auto counts = [&](std::uint32_t bin) HWY_ATTR {
+        const hn::RebindToUnsigned<AxisLanes> du;
+        return hn::BitCast(di, hn::Load(du, bins.counts[bin]));
+    };
+    for (std::uint32_t bin = count - 1; bin > 0; --bin) {
+        Sides own;
+        own.gather(bins.extents[bin]);
+        own.store(gathered[bin]);
+        side.add(own);
+        items = hn::Add(items, counts(bin));
+        hn::Store(side.cost(unit, items), d, right_cost[bin]);
+    }
+    side.gather(bins.extents[0]);
+    items = counts(0);
+    Axes best = hn::Set(d, std::numeric_limits<float>::infinity());
+    auto at = hn::Zero(di);
+    for (std::uint32_t bin = 1; bin < count; ++bin) {
+        const Axes cost = hn::Add(side.cost(unit, items), hn::Load(d, right_cost[bin]));
+        const auto better = hn::Lt(cost, best);
+        best = hn::IfThenElse(better, cost, best);
+        at = hn::IfThenElse(hn::RebindMask(di, better), hn::Set(di, static_cast<std::int32_t>(bin)),
+                            at);
+        Sides own;
+        own.load_all(gathered[bin]);
+        side.add(own);
+        items = hn::Add(items, counts(bin));
+    }
+    alignas(16) float costs[4];
+    alignas(16) std::int32_t places[4];
+    hn::Store(best, d, costs);
+    hn::Store(at, di, places);
+    std::size_t axis = costs[1] < costs[0] ? 1 : 0;
+    if (costs[2] < costs[axis]) axis = 2;
+    return {axis, static_cast<std::uint32_t>(places[axis])};
+}
+
+#endif
+
+/// As plain::part.
+HWY_INLINE void part(const BuildItem<float>* items, std::uint32_t count,
+                     const Binning<float>& binning, const BinSplit& split, BuildItem<float>* to,
+                     Halves<float>& halves) {
+    const float from = binning.lo[split.axis];
+    const float scale = binning.per_unit[split.axis];
+    const float limit = Binning<float>::begin(split.bin);
     const BoxLanes d;
     const auto infinity = hn::Set(d, std::numeric_limits<float>::infinity());
-    Side sides[2];
-    for (Side& side : sides) side.clear();
-    std::size_t left = 0;
-    std::size_t right = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const BuildItem<float>& item = items[i];
-        const float mid = low(item)[where.axis] * 0.5F + high(item)[where.axis] * 0.5F;
-        const float at = (mid - from) * scale;
-        const bool first = at < end;
-        const auto to_left = hn::Lt(hn::Set(d, at), hn::Set(d, end));
+    Growing left_middles;
+    Growing right_middles;
+    left_middles.clear();
+    right_middles.clear();
+    // Every item is written to both sides, and counts on one: no branch to guess.
+    float* left = numbers(to[0]);
+    float* right = numbers(to[count - 1]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Extent<float>& item = items[i].extent();
+        const float twice_middle = item.lo[split.axis] - item.minus_hi[split.axis];
+        const float at = (twice_middle - from) * scale + 1;
+        const bool first = at < limit;
+        const auto to_left = hn::Lt(hn::Set(d, at), hn::Set(d, limit));
         for (std::size_t part = 0; part < kBoxParts; ++part) {
-            const auto box = box_of(item, part * kBoxStep);
-            const auto twice = middle_twice(item, part * kBoxStep);
-            sides[0].add(part, hn::IfThenElse(to_left, box, infinity),
-                         hn::IfThenElse(to_left, twice, infinity));
-            sides[1].add(part, hn::IfThenElse(to_left, infinity, box),
-                         hn::IfThenElse(to_left, infinity, twice));
+            const Box twice = middle_twice(item, part);
+            left_middles.add(part, hn::IfThenElse(to_left, twice, infinity));
+            right_middles.add(part, hn::IfThenElse(to_left, infinity, twice));
+            const Box own = load(item, part);
+            hn::Store(own, d, left + part * kBoxStep);
+            hn::Store(own, d, right + part * kBoxStep);
         }
-        sides[0].kinds |= first ? kind_bit(item) : 0;
-        sides[1].kinds |= first ? 0 : kind_bit(item);
-        const BuildItem<float> copy = item;
-        items[left] = copy;
-        scratch[right] = copy;
-        left += first ? 1 : 0;
-        right += first ? 0 : 1;
+        left += first ? 8 : 0;
+        right -= first ? 0 : 8;
     }
-    std::copy_n(scratch, right, items + left);
-    out.left_count = static_cast<std::uint32_t>(left);
-    out.left = sides[0].extents();
-    out.right = sides[1].extents();
+    halves.left_count = static_cast<std::uint32_t>((left - numbers(to[0])) / 8);
+    left_middles.store(halves.left.middles);
+    right_middles.store(halves.right.middles);
+}
+
+void split(const BuildItem<float>* items, std::uint32_t count, const ItemExtents<float>& extents,
+           std::uint32_t bin_count, BuildItem<float>* to, Halves<float>& halves) {
+    const Binning<float> binning(extents.middles, bin_count);
+    Bins<float> bins;
+    fill(items, count, binning, bins);
+    const BinSplit split = best_split(bins, bin_count, area_unit(extents.box));
+    halves.left_count = 0;
+    if (split.bin == 0) return;
+    Growing side;
+    side.clear();
+    for (std::uint32_t b = 0; b < split.bin; ++b) side.add(bins.extents[b][split.axis]);
+    side.store(halves.left.box);
+    side.clear();
+    for (std::uint32_t b = split.bin; b < bin_count; ++b) side.add(bins.extents[b][split.axis]);
+    side.store(halves.right.box);
+    part(items, count, binning, split, to, halves);
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE
@@ -247,7 +365,6 @@ HWY_AFTER_NAMESPACE();
 namespace cobble::renderer {
 
 HWY_EXPORT(measure);
-HWY_EXPORT(fill);
 HWY_EXPORT(split);
 
 template <>
@@ -258,17 +375,11 @@ ItemExtents<float> measure_items(const BuildItem<float>* items, std::size_t coun
 }
 
 template <>
-void fill_bins(const BuildItem<float>* items, std::size_t count, const Binning<float>& binning,
-               Bins<float>& bins) {
-    HWY_DYNAMIC_DISPATCH(fill)(items, count, binning, bins);
-}
-
-template <>
-Halves<float> split_by_bin(BuildItem<float>* items, std::size_t count,
-                           const Binning<float>& binning, BinSplit where,
-                           BuildItem<float>* scratch) {
+Halves<float> split_items(const BuildItem<float>* items, std::uint32_t count,
+                          const ItemExtents<float>& extents, std::uint32_t bins,
+                          BuildItem<float>* to) {
     Halves<float> halves;
-    HWY_DYNAMIC_DISPATCH(split)(items, count, binning, where, scratch, halves);
+    HWY_DYNAMIC_DISPATCH(split)(items, count, extents, bins, to, halves);
     return halves;
 }
 

@@ -75,7 +75,7 @@ std::uint32_t stable_split(std::vector<BuildItem<T>>& items, std::vector<BuildIt
 /// The number of the item's bin. Bounded by comparison, so that no rounding leads outside.
 template <typename T>
 std::uint32_t bin_of(const BuildItem<T>& item, std::size_t axis, double lo, double per_unit) {
-    const double at = (twice_center(item.bounds, axis) - lo) * per_unit;
+    const double at = (twice_center(item.bounds(), axis) - lo) * per_unit;
     if (!(at > 0)) return 0;
     return at < kBins ? static_cast<std::uint32_t>(at) : kBins - 1;
 }
@@ -96,7 +96,7 @@ Split best_split(const std::vector<BuildItem<T>>& items, std::uint32_t first, st
         double lo = std::numeric_limits<double>::infinity();
         double hi = -lo;
         for_each_index(first, count, cancelled, [&](std::uint32_t i) {
-            const double c = twice_center(items[i].bounds, axis);
+            const double c = twice_center(items[i].bounds(), axis);
             lo = c < lo ? c : lo;
             hi = c > hi ? c : hi;
         });
@@ -106,7 +106,7 @@ Split best_split(const std::vector<BuildItem<T>>& items, std::uint32_t first, st
         std::array<std::uint32_t, kBins> counts{};
         for_each_index(first, count, cancelled, [&](std::uint32_t i) {
             const std::uint32_t bin = bin_of(items[i], axis, lo, per_unit);
-            bounds[bin].add(items[i].bounds);
+            bounds[bin].add(items[i].bounds());
             counts[bin] += 1;
         });
         std::array<double, kBins> right_cost{};
@@ -142,10 +142,10 @@ std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items,
         tasks.pop_back();
         BoxBounds<T> bounds;
         bool mixed = false;
-        const PrimitiveKind kind = items[task.first].kind;
+        const PrimitiveKind kind = items[task.first].kind();
         for_each_index(task.first, task.count, cancelled, [&](std::uint32_t i) {
-            bounds.add(items[i].bounds);
-            mixed = mixed || items[i].kind != kind;
+            bounds.add(items[i].bounds());
+            mixed = mixed || items[i].kind() != kind;
         });
         nodes[task.node].bounds = bounds;
         nodes[task.node].first = task.first;
@@ -173,7 +173,7 @@ std::vector<BinaryNode<T>> build_binary(std::vector<BuildItem<T>>& items,
             }
             if (left == 0 && mixed) {
                 left = stable_split(items, scratch, task.first, task.count, cancelled,
-                                    [&](const BuildItem<T>& item) { return item.kind == kind; });
+                                    [&](const BuildItem<T>& item) { return item.kind() == kind; });
             }
         }
         if (left == 0) continue;
@@ -201,7 +201,7 @@ Tree<T> build_tree(std::vector<BuildItem<T>>& items, const std::atomic<bool>* ca
     std::vector<std::uint32_t> rank(items.size());
     std::array<std::uint32_t, kPrimitiveKinds> seen{};
     for (std::size_t i = 0; i < items.size(); ++i) {
-        rank[i] = seen[static_cast<std::size_t>(items[i].kind)]++;
+        rank[i] = seen[static_cast<std::size_t>(items[i].kind())]++;
     }
 
     struct Pending {
@@ -247,7 +247,7 @@ Tree<T> build_tree(std::vector<BuildItem<T>>& items, const std::atomic<bool>* ca
             if (child.leaf()) {
                 node.first[i] = rank[child.first];
                 node.count[i] = static_cast<std::uint8_t>(child.count);
-                node.kind[i] = items[child.first].kind;
+                node.kind[i] = items[child.first].kind();
             } else {
                 node.first[i] = static_cast<std::uint32_t>(tree.nodes.size());
                 pending.push_back({node.first[i], children[i]});

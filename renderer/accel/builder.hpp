@@ -7,18 +7,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/accel/build_item.hpp"
 #include "renderer/accel/tree.hpp"
-#include "renderer/geometry/primitives.hpp"
 
 namespace cobble::renderer {
-
-/// One thing to put into a tree. Bounds are not empty and finite.
-template <typename T>
-struct BuildItem {
-    BoxBounds<T> bounds;
-    PrimitiveKind kind = PrimitiveKind::kTriangle;
-    std::uint32_t index = 0;  ///< the caller's
-};
 
 /// Reorders `items` so that each leaf's are neighbours of one kind, and gives the tree. A leaf's
 /// `first` counts items of its own kind, in the new order: the caller sorts each kind's array to

@@ -39,7 +39,7 @@ void fill(std::vector<Block>& blocks, const std::vector<LeafRange>& ranges,
         for (std::size_t b = chunk * kAtOnce; b < end; ++b) {
             for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
                 const std::uint32_t from = lane < ranges[b].count ? lane : 0;
-                set_lane(blocks[b], lane, primitives[items[ranges[b].first + from].index]);
+                set_lane(blocks[b], lane, primitives[items[ranges[b].first + from].index()]);
             }
         }
     });

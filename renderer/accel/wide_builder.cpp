@@ -141,8 +141,8 @@ class Collapse {
             out_.nodes.resize(wide + std::size_t{1});
             return ChildRef::inner(wide);
         }
-        const PrimitiveKind kind = items_[from.first].kind;
-        std::uint32_t index = items_[from.first].index;
+        const PrimitiveKind kind = items_[from.first].kind();
+        std::uint32_t index = items_[from.first].index();
         if (kind == PrimitiveKind::kTriangle) {
             index = static_cast<std::uint32_t>(out_.triangle_blocks.size());
             out_.triangle_blocks.push_back({from.first, from.count});

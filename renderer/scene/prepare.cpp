@@ -126,7 +126,7 @@ class Preparation {
     }
 
     void add_item(PrimitiveKind kind, std::size_t index, const BoxBounds<T>& bounds) {
-        items_.push_back({bounds, kind, static_cast<std::uint32_t>(index)});
+        items_.emplace_back(bounds, kind, static_cast<std::uint32_t>(index));
     }
 
     void add_baked(const ir::Object& object, ir::ObjectId id) {
@@ -364,8 +364,8 @@ class Preparation {
         for (std::uint32_t f = 0; f < mesh.faces.size() && !cancelled(); ++f) {
             const auto v = face_vertices<T>(mesh, f, shape_origin);
             if (!usable(v, id, f)) continue;
-            items.push_back({bounds_of(v), PrimitiveKind::kTriangle,
-                             static_cast<std::uint32_t>(triangles.size())});
+            items.emplace_back(bounds_of(v), PrimitiveKind::kTriangle,
+                               static_cast<std::uint32_t>(triangles.size()));
             triangles.push_back({v, id, f});
         }
         if (fast()) {
@@ -374,7 +374,7 @@ class Preparation {
             placed.tree = build_tree(items, options().build.cancelled);
             if (cancelled()) items.clear();
             placed.triangles.reserve(items.size());
-            for (const auto& item : items) placed.triangles.push_back(triangles[item.index]);
+            for (const auto& item : items) placed.triangles.push_back(triangles[item.index()]);
         }
         geometry().meshes.push_back(std::move(placed));
     }
@@ -395,7 +395,7 @@ class Preparation {
         std::vector<U> sorted;
         sorted.reserve(array.size());
         for (const auto& item : items_) {
-            if (item.kind == kind) sorted.push_back(array[item.index]);
+            if (item.kind() == kind) sorted.push_back(array[item.index()]);
         }
         array = std::move(sorted);
     }
