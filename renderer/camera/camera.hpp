@@ -27,6 +27,14 @@ class PreparedCamera {
         return {center_, math::normalize(toward(x, y))};
     }
 
+    /// What pinhole() normalises: one along the view axis.
+    [[nodiscard]] math::Vec3d toward(double x, double y) const {
+        // Twice the distance from the middle, so that mirrored pixels get mirrored numbers exactly.
+        const double right = (2 * x - width_) * half_pixel_;
+        const double up = (height_ - 2 * y) * half_pixel_;
+        return forward_ + (right_ * right + up_ * up);
+    }
+
     /// The same through a place on a thin lens that is chosen by `lens`: all rays of one (x, y)
     /// meet at the focus distance, measured along the view axis. Round or, with blades, a regular
     /// polygon in that circle. An aperture of 0 gives the bits of pinhole().
@@ -39,14 +47,6 @@ class PreparedCamera {
     [[nodiscard]] double time_open() const { return shutter_open_; }
 
   private:
-    /// Not unit: one along the view axis.
-    [[nodiscard]] math::Vec3d toward(double x, double y) const {
-        // Twice the distance from the middle, so that mirrored pixels get mirrored numbers exactly.
-        const double right = (2 * x - width_) * half_pixel_;
-        const double up = (height_ - 2 * y) * half_pixel_;
-        return forward_ + (right_ * right + up_ * up);
-    }
-
     // Numbers of ir::Camera, so that a loop over pixels can keep them in registers.
     math::Vec3d center_, forward_, right_, up_;
     double aperture_, focus_distance_;

@@ -2,6 +2,7 @@
 #include "renderer/integrator/camera_batch.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "renderer/sampling/mappings.hpp"
 
@@ -20,24 +21,26 @@ CameraBatch<T>::CameraBatch(const ShadingScene<T>& scene, const Settings& settin
 
 /// Where begin_sample() lets the ray through.
 template <typename T>
-void CameraBatch<T>::place_in_pixels(std::size_t count) {
+void CameraBatch<T>::place_in_pixels() {
     CameraColumns<T>& c = *columns_;
     if (samples_ == 1) {
-        for (std::size_t i = 0; i < count; ++i) {
-            c.x[i] += 0.5;
-            c.y[i] += 0.5;
+        for (std::size_t i = 0; i < c.run_count; ++i) {
+            c.x[i] = c.runs[i].x + 0.5;
+            c.y[i] = c.runs[i].y + 0.5;
         }
         return;
     }
     if (settings_->filter == PixelFilter::kBox) {
-        loops_->place_in_pixel(c, count);
+        loops_->place_in_pixels(c);
         return;
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        const math::Vec2d offset =
-            sample_filter(sobol_point(c.sample[i], c.set[i]), settings_->filter);
-        c.x[i] = (c.x[i] + 0.5) + offset.x;
-        c.y[i] = (c.y[i] + 0.5) + offset.y;
+    for (const PixelRun& run : std::span(c.runs).first(c.run_count)) {
+        for (std::uint32_t i = 0; i < run.count; ++i) {
+            const Uniform2 u = sobol_point_of_reversed(reverse_bits(run.first + i), run.seeds);
+            const math::Vec2d offset = sample_filter(u, settings_->filter);
+            c.x[run.begin + i] = (run.x + 0.5) + offset.x;
+            c.y[run.begin + i] = (run.y + 0.5) + offset.y;
+        }
     }
 }
 
@@ -46,22 +49,26 @@ std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
     CameraColumns<T>& c = *columns_;
     most = std::min(most, kBatchSize);
     std::size_t count = 0;
+    c.run_count = 0;
     while (count < most && !next_.at_end(tile)) {
+        static_assert(kBatchSize <= 256);
         const PixelPlace at = next_.place;
-        const std::uint64_t set =
-            samples_ > 1 ? Sampler(settings_->seed, at.x, at.y, 0).set(Draw::kPixel, {}, 0) : 0;
-        const std::uint32_t first = next_.sample;
-        const auto of_pixel =
-            static_cast<std::uint32_t>(std::min<std::size_t>(most - count, samples_ - first));
-        for (std::uint32_t i = 0; i < of_pixel; ++i) {
-            places_[count + i] = at;
-            c.sample[count + i] = first + i;
-            c.set[count + i] = set;
-            c.x[count + i] = at.x;
-            c.y[count + i] = at.y;
+        PixelRun& run = c.runs[c.run_count];
+        run.x = at.x;
+        run.y = at.y;
+        run.begin = static_cast<std::uint32_t>(count);
+        run.first = next_.sample;
+        if (samples_ == 1) {
+            run.count = 1;
+        } else {
+            run.count = static_cast<std::uint32_t>(
+                std::min<std::size_t>(most - count, samples_ - run.first));
+            const Sampler sampler(settings_->seed, at.x, at.y, 0);
+            run.seeds = sobol_seeds(sampler.set(Draw::kPixel, {}, 0));
         }
-        count += of_pixel;
-        next_.advance(tile, samples_, of_pixel);
+        std::fill_n(&run_[count], run.count, static_cast<std::uint8_t>(c.run_count++));
+        count += run.count;
+        next_.advance(tile, samples_, run.count);
     }
     return count;
 }
@@ -70,7 +77,7 @@ template <typename T>
 void CameraBatch<T>::begin(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
     const std::size_t count = choose(tile, most);
     CameraColumns<T>& c = *columns_;
-    place_in_pixels(count);
+    place_in_pixels();
     batch.begin(count);
     batch.end_stretch(Coherence::kCoherent);
     if (simple_) {

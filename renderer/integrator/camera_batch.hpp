@@ -23,9 +23,10 @@ struct SampleCursor {
     std::uint64_t number = 0;  ///< of all
     std::uint64_t pixel = 0;
     std::uint32_t sample = 0;  ///< of the pixel
+    PixelInBlock found;        ///< the pixel
     PixelPlace place;          ///< of the pixel
 
-    explicit SampleCursor(const Tile& tile) : place(pixel_in_blocks(tile, 0)) {}
+    explicit SampleCursor(const Tile& tile) : found(find_pixel(tile, 0)), place(found.place()) {}
     [[nodiscard]] bool at_end(const Tile& tile) const { return pixel >= tile.pixels(); }
     /// By `count` samples of the pixel, at most as many as it still has.
     void advance(const Tile& tile, std::uint32_t samples_per_pixel, std::uint32_t count = 1) {
@@ -33,7 +34,12 @@ struct SampleCursor {
         sample += count;
         if (sample < samples_per_pixel) return;
         sample = 0;
-        if (++pixel < tile.pixels()) place = pixel_in_blocks(tile, pixel);
+        ++pixel;
+        if (++found.inside == found.block.pixels()) {
+            if (at_end(tile)) return;
+            found = find_pixel(tile, pixel);
+        }
+        place = found.place();
     }
 };
 
@@ -51,15 +57,23 @@ class CameraBatch {
     [[nodiscard]] const SampleCursor& next() const { return next_; }
 
     // Of the samples begun last, by their place in the batch.
-    [[nodiscard]] PixelPlace place(std::size_t i) const { return places_[i]; }
-    [[nodiscard]] std::uint32_t sample(std::size_t i) const { return columns_->sample[i]; }
+    [[nodiscard]] PixelPlace place(std::size_t i) const {
+        const PixelRun& run = run_of(i);
+        return {run.x, run.y};
+    }
+    [[nodiscard]] std::uint32_t sample(std::size_t i) const {
+        const PixelRun& run = run_of(i);
+        return run.first + (static_cast<std::uint32_t>(i) - run.begin);
+    }
     [[nodiscard]] Sampler sampler(std::size_t i) const {
-        return {settings_->seed, places_[i].x, places_[i].y, columns_->sample[i]};
+        const PixelRun& run = run_of(i);
+        return {settings_->seed, run.x, run.y, sample(i)};
     }
 
   private:
     std::size_t choose(const Tile& tile, std::size_t most);
-    void place_in_pixels(std::size_t count);
+    void place_in_pixels();
+    [[nodiscard]] const PixelRun& run_of(std::size_t i) const { return columns_->runs[run_[i]]; }
 
     const ShadingScene<T>* scene_;
     const Settings* settings_;
@@ -68,8 +82,8 @@ class CameraBatch {
     bool simple_;            ///< neither lens nor time
     SampleCursor next_;
     std::unique_ptr<CameraColumns<T>> columns_;
-    std::array<PixelPlace, kBatchSize> places_;
-    bool first_ = true;  ///< nothing has begun yet
+    std::array<std::uint8_t, kBatchSize> run_{};  ///< by place in the batch
+    bool first_ = true;                           ///< nothing has begun yet
 };
 
 }  // namespace cobble::renderer

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "renderer/film/accumulator.hpp"
+#include "renderer/integrator/quick_unit.hpp"
 #include "renderer/intersect/surface_forms.hpp"
 #include "renderer/sampling/sobol.hpp"
 #include "renderer/shading/fresnel.hpp"
@@ -16,6 +18,8 @@
 // Behind foreach_target.h, as Highway wants it.
 #include <hwy/highway.h>
 
+#include "renderer/integrator/pixel_places-inl.hpp"
+
 // All that a loop calls becomes part of it: a call left over would keep it from taking many at
 // once.
 #define COBBLE_LOOP __attribute__((flatten))
@@ -23,22 +27,35 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
-template <typename T>
-COBBLE_LOOP void place_in_pixel(CameraColumns<T>& s, std::size_t count) {
+namespace hn = hwy::HWY_NAMESPACE;
+
+COBBLE_LOOP bool through_pinhole_quickly(const PreparedCamera& of_scene, CameraColumns<float>& s,
+                                         std::size_t count) {
+    const PreparedCamera camera = of_scene;
+    std::uint32_t unsure = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const Uniform2 u = sobol_point(s.sample[i], s.set[i]);
-        s.x[i] = (s.x[i] + 0.5) + (u.x - 0.5);
-        s.y[i] = (s.y[i] + 0.5) + (u.y - 0.5);
+        const QuickUnit unit = quick_unit(camera.toward(s.x[i], s.y[i]));
+        s.direction.set(i, unit.direction);
+        unsure |= unit.unsure;
     }
+    return unsure == 0;
 }
 
 template <typename T>
-COBBLE_LOOP void through_pinhole(const PreparedCamera& of_scene, CameraColumns<T>& s,
-                                 std::size_t count) {
+COBBLE_LOOP void through_pinhole_slowly(const PreparedCamera& of_scene, CameraColumns<T>& s,
+                                        std::size_t count) {
     const PreparedCamera camera = of_scene;
     for (std::size_t i = 0; i < count; ++i) {
         s.direction.set(i, camera.pinhole(s.x[i], s.y[i]).direction.template to<T>());
     }
+}
+
+template <typename T>
+void through_pinhole(const PreparedCamera& camera, CameraColumns<T>& s, std::size_t count) {
+    if constexpr (std::is_same_v<T, float>) {
+        if (through_pinhole_quickly(camera, s, count)) return;
+    }
+    through_pinhole_slowly(camera, s, count);
 }
 
 /// What SurfacePoint and SurfaceLook say of a surface of a plain material.
@@ -127,9 +144,25 @@ COBBLE_LOOP void boxes(const SurfaceSlots<T>& __restrict slots, HitColumns<T>& _
     }
 }
 
+COBBLE_LOOP bool to_even_light_quickly(const PreparedLight& light, const HitColumns<float>& hits,
+                                       LightColumns<float>& __restrict answers, std::size_t count) {
+    const math::Vec3d place = light.position;
+    const auto target = place.to<float>();
+    const auto intensity = light.color.to<float>();
+    std::uint32_t unsure = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const QuickUnit unit = quick_unit(place - hits.position.at(i).to<double>());
+        answers.direction.set(i, unit.direction);
+        answers.target.set(i, target);
+        answers.intensity.set(i, intensity);
+        unsure |= unit.unsure;
+    }
+    return unsure == 0;
+}
+
 template <typename T>
-COBBLE_LOOP void to_point_light(const PreparedLight& of_scene, const HitColumns<T>& hits,
-                                LightColumns<T>& __restrict answers, std::size_t count) {
+COBBLE_LOOP void to_point_light_slowly(const PreparedLight& of_scene, const HitColumns<T>& hits,
+                                       LightColumns<T>& __restrict answers, std::size_t count) {
     const PreparedLight light = of_scene;
     const auto store = [&](std::size_t i, const LightSample<T>& sample) {
         answers.direction.set(i, sample.direction);
@@ -147,6 +180,15 @@ COBBLE_LOOP void to_point_light(const PreparedLight& of_scene, const HitColumns<
     for (std::size_t i = 0; i < count; ++i) {
         store(i, light_place(light, hits.position.at(i), light.position));
     }
+}
+
+template <typename T>
+void to_point_light(const PreparedLight& light, const HitColumns<T>& hits, LightColumns<T>& answers,
+                    std::size_t count) {
+    if constexpr (std::is_same_v<T, float>) {
+        if (light.falloff == 0 && to_even_light_quickly(light, hits, answers, count)) return;
+    }
+    to_point_light_slowly(light, hits, answers, count);
 }
 
 template <typename T>
@@ -287,19 +329,46 @@ COBBLE_LOOP void add_ambient(math::Vec3<T> ambient, const HitColumns<T>& hits, C
     }
 }
 
-/// Pixels side by side, for the sum of one is a chain of additions.
+template <class D, class V>
+HWY_INLINE hn::Vec<D> widened(D d, V v) {
+    if constexpr (sizeof(hn::TFromV<V>) == sizeof(double)) {
+        return v;
+    } else {
+        return hn::PromoteTo(d, v);
+    }
+}
+
+/// Pixels side by side, for the sum of one is a chain of additions: as many as a register holds.
 template <typename T>
-COBBLE_LOOP void sum_channel(const T* __restrict colors, std::size_t samples, std::size_t pixels,
-                             double* __restrict sum, double* __restrict rest) {
-    for (std::size_t p = 0; p < pixels; ++p) sum[p] = rest[p] = 0;
-    for (std::size_t k = 0; k < samples; ++k) {
-        for (std::size_t p = 0; p < pixels; ++p) {
-            CompensatedSum next(sum[p], rest[p]);
-            // As a sample's colour is a sum that began with 0: no negative zero.
-            next.add(0.0 + static_cast<double>(colors[p * samples + k]));
-            sum[p] = next.sum();
-            rest[p] = next.rest();
+void sum_channel(const T* colors, std::size_t samples, std::size_t pixels, double* sum,
+                 double* rest) {
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<T, decltype(d)> of_color;
+    const std::size_t together = hn::Lanes(d);
+    // Sample by sample, those of all pixels side by side.
+    alignas(kColumnAlignment) T turned[8 * kBatchSize];
+    for (std::size_t first = 0; first < pixels; first += together) {
+        for (std::size_t p = 0; p < together; ++p) {
+            // Lanes that are left over repeat the last pixel.
+            const T* of_pixel = colors + (first + p < pixels ? first + p : pixels - 1) * samples;
+            for (std::size_t k = 0; k < samples; ++k) turned[k * together + p] = of_pixel[k];
         }
+        const auto zero = hn::Zero(d);
+        auto so_far = zero;
+        auto lost = zero;
+        for (std::size_t k = 0; k < samples; ++k) {
+            // CompensatedSum::add() of a sample's colour, which is a sum that began with 0: no
+            // negative zero.
+            const auto color = hn::Load(of_color, turned + k * together);
+            const auto value = hn::Add(zero, widened(d, color));
+            const auto next = hn::Add(so_far, value);
+            const auto added = hn::Sub(next, so_far);
+            lost = hn::Add(lost,
+                           hn::Add(hn::Sub(so_far, hn::Sub(next, added)), hn::Sub(value, added)));
+            so_far = next;
+        }
+        hn::Store(so_far, d, sum + first);
+        hn::Store(lost, d, rest + first);
     }
 }
 
@@ -327,7 +396,7 @@ COBBLE_LOOP bool all_finite(const Columns3<T>& values, std::size_t count) {
 template <typename T>
 const ColumnLoops<T>& loops() {
     static constexpr ColumnLoops<T> kLoops{
-        place_in_pixel<T>,
+        place_in_pixels<T>,
         through_pinhole<T>,
         flat_triangles<T>,
         smooth_triangles<T>,

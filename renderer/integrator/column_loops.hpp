@@ -16,8 +16,8 @@ namespace cobble::renderer {
 /// columns hold anything.
 template <typename T>
 struct ColumnLoops {
-    /// From the pixel's corner to the place that the filter chooses, for PixelFilter::kBox.
-    void (*place_in_pixel)(CameraColumns<T>& samples, std::size_t count);
+    /// The places that the filter chooses in each run's pixel, for PixelFilter::kBox.
+    void (*place_in_pixels)(CameraColumns<T>& samples);
     /// From places to directions, without a lens.
     void (*through_pinhole)(const PreparedCamera& camera, CameraColumns<T>& samples,
                             std::size_t count);

@@ -3,10 +3,12 @@
 // a loop over them takes as many at once as the processor's registers hold.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "ir/math/vec.hpp"
+#include "renderer/sampling/sobol.hpp"
 
 namespace cobble::renderer {
 
@@ -30,14 +32,26 @@ struct Columns3 {
     }
 };
 
-/// Samples that begin: of which pixel, which one, and where its first ray goes.
+/// Samples of one pixel, one after the other in a batch.
+struct PixelRun {
+    std::uint32_t x = 0, y = 0;  ///< the pixel, in the whole picture
+    std::uint32_t begin = 0;     ///< place of the first one in the batch
+    std::uint32_t count = 0;
+    std::uint32_t first = 0;  ///< of the pixel's samples
+    SobolSeeds seeds;         ///< of Draw::kPixel's points
+};
+
+/// Samples that begin: which ones, and where their first rays go.
 template <typename T>
 struct CameraColumns {
-    alignas(kColumnAlignment) std::uint32_t sample[kBatchSize];
-    alignas(kColumnAlignment) std::uint64_t set[kBatchSize];  ///< of Draw::kPixel's points
-    /// The pixel's upper left corner, then the place that the ray goes through.
-    alignas(kColumnAlignment) double x[kBatchSize];
-    alignas(kColumnAlignment) double y[kBatchSize];
+    /// Loops over a run may go on to the end of a register.
+    static constexpr std::size_t kRoom = kBatchSize + 16;
+
+    std::array<PixelRun, kBatchSize> runs;
+    std::size_t run_count = 0;
+    /// The place in the picture that the ray goes through.
+    alignas(kColumnAlignment) double x[kRoom];
+    alignas(kColumnAlignment) double y[kRoom];
     Columns3<T> direction;
 };
 

@@ -19,14 +19,15 @@ constexpr std::uint32_t reverse_bits(std::uint32_t x) {
     return ((x & 0xaaaaaaaaU) >> 1U) | ((x & 0x55555555U) << 1U);
 }
 
+/// Constants of Burley's paper.
+inline constexpr std::uint32_t kLaineKarras[] = {0x6c50b47cU, 0xb82f1e52U, 0xc7afe638U,
+                                                 0x8d22f6e6U};
+
 /// A permutation of 32-bit numbers in which each bit's fate depends on lower bits only (Laine and
-/// Karras, EGSR 2011; constants of Burley's paper).
+/// Karras, EGSR 2011).
 constexpr std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
     x += seed;
-    x ^= x * 0x6c50b47cU;
-    x ^= x * 0xb82f1e52U;
-    x ^= x * 0xc7afe638U;
-    x ^= x * 0x8d22f6e6U;
+    for (const std::uint32_t factor : kLaineKarras) x ^= x * factor;
     return x;
 }
 
@@ -60,19 +61,34 @@ struct Uniform2 {
 
 constexpr double kTwoToMinus32 = 1.0 / 4294967296.0;
 
-/// Point `index` of the set named by `seed`.
-constexpr Uniform2 sobol_point(std::uint32_t index, std::uint64_t seed) {
+/// What the scrambles of one set begin with: of the order of its points, and of each coordinate.
+struct SobolSeeds {
+    std::uint32_t order = 0, x = 0, y = 0;
+};
+
+/// Of the set named by `seed`.
+constexpr SobolSeeds sobol_seeds(std::uint64_t seed) {
     const auto low = static_cast<std::uint32_t>(seed);
     const auto high = static_cast<std::uint32_t>(seed >> 32U);
     // Three scrambles need three seeds; multiplying by odd constants (2^32 / golden ratio, and its
     // square) keeps them apart for every value of the high half.
-    const std::uint32_t shuffled = owen_scramble(index, low);
+    return {low, high, high * 0x9e3779b9U ^ (low * 0x61c88647U + 1U)};
+}
+
+/// The point whose index has these bits, the lowest first.
+constexpr Uniform2 sobol_point_of_reversed(std::uint32_t index_reversed, SobolSeeds seeds) {
+    // owen_scramble(index, ...).
+    const std::uint32_t shuffled = reverse_bits(laine_karras(index_reversed, seeds.order));
     // owen_scramble(reverse_bits(shuffled), ...) and owen_scramble(sobol_second(shuffled), ...):
     // what their beginning reverses was reversed just before.
-    const std::uint32_t x = reverse_bits(laine_karras(shuffled, high));
-    const std::uint32_t y = reverse_bits(
-        laine_karras(times_pascal(shuffled), high * 0x9e3779b9U ^ (low * 0x61c88647U + 1U)));
+    const std::uint32_t x = reverse_bits(laine_karras(shuffled, seeds.x));
+    const std::uint32_t y = reverse_bits(laine_karras(times_pascal(shuffled), seeds.y));
     return {x * kTwoToMinus32, y * kTwoToMinus32};
+}
+
+/// Point `index` of the set named by `seed`.
+constexpr Uniform2 sobol_point(std::uint32_t index, std::uint64_t seed) {
+    return sobol_point_of_reversed(reverse_bits(index), sobol_seeds(seed));
 }
 
 }  // namespace cobble::renderer
