@@ -25,6 +25,7 @@ BatchShading<T>::BatchShading(const ShadingScene<T>& scene)
     : scene_(&scene),
       loops_(&column_loops<T>()),
       slots_(std::make_unique<SurfaceSlots<T>>()),
+      forms_(std::make_unique<SurfaceForms<T>>()),
       hits_(std::make_unique<HitColumns<T>>()),
       light_(std::make_unique<LightColumns<T>>()),
       on_(scene.any_scatters() ? std::make_unique<ScatterColumns<T>>() : nullptr),
@@ -63,10 +64,11 @@ auto BatchShading<T>::form_of(const ir::Object& object, const Hit<T>& hit) const
 template <typename T>
 void BatchShading<T>::fill_triangle(std::size_t slot,
                                     const std::array<math::Vec3<T>, 3>& vertices) {
-    slots_->a.set(slot, vertices[0].template to<double>());
-    slots_->b.set(slot, vertices[1].template to<double>());
-    slots_->c.set(slot, vertices[2].template to<double>());
-    slots_->normal.set(slot, unit(triangle_normal(vertices[0], vertices[1], vertices[2])));
+    SurfaceForms<T>& forms = slots_->forms;
+    forms.a.set(slot, vertices[0]);
+    forms.b.set(slot, vertices[1]);
+    forms.c.set(slot, vertices[2]);
+    forms.normal.set(slot, unit(triangle_normal(vertices[0], vertices[1], vertices[2])));
 }
 
 template <typename T>
@@ -92,9 +94,9 @@ void BatchShading<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
         case Form::kSmooth: {
             const ir::Mesh& mesh = source.meshes[object.shape];
             const auto& corners = mesh.faces[hit.face].corners;
-            slots_->na.set(slot, mesh.normals[corners[0].normal]);
-            slots_->nb.set(slot, mesh.normals[corners[1].normal]);
-            slots_->nc.set(slot, mesh.normals[corners[2].normal]);
+            slots_->forms.na.set(slot, mesh.normals[corners[0].normal]);
+            slots_->forms.nb.set(slot, mesh.normals[corners[1].normal]);
+            slots_->forms.nc.set(slot, mesh.normals[corners[2].normal]);
             fill_triangle(slot, face_vertices<T>(mesh, hit.face, origin));
             break;
         }
@@ -107,17 +109,17 @@ void BatchShading<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
         case Form::kSphere: {
             const SphereKey<T> sphere =
                 narrow_sphere<T>(source.spheres[object.shape].keys[0], origin);
-            slots_->a.set(slot, sphere.center.template to<double>());
-            slots_->b.set(slot, {static_cast<double>(sphere.radius), 0, 0});
+            slots_->forms.a.set(slot, sphere.center);
+            slots_->forms.b.set(slot, {sphere.radius, 0, 0});
             break;
         }
         case Form::kBox: {
             const BoxBounds<T> box = narrow_box<T>(source.boxes[object.shape], origin);
-            slots_->a.set(slot, box.lo.template to<double>());
-            slots_->b.set(slot, box.hi.template to<double>());
+            slots_->forms.a.set(slot, box.lo);
+            slots_->forms.b.set(slot, box.hi);
             math::Vec3d normal;
             normal[hit.face / 2] = hit.face % 2 == 1 ? 1 : -1;
-            slots_->normal.set(slot, normal);
+            slots_->forms.normal.set(slot, normal);
             break;
         }
         case Form::kOther:
@@ -143,35 +145,104 @@ std::size_t BatchShading<T>::slot_of(const Hit<T>& hit) {
 
 template <typename T>
 void BatchShading<T>::place(std::size_t lane, std::size_t slot, std::size_t entry) {
-    const Ray<T>& ray = batch_->rays[lane];
     const Hit<T>& hit = given_[lane];
     entry_[lane] = static_cast<std::int32_t>(entry);
     lane_[entry] = static_cast<std::uint32_t>(lane);
     hits_->slot[entry] = static_cast<std::int32_t>(slot);
-    if (form_[slot] > Form::kSmooth) hits_->from.set(entry, ray.origin);
-    hits_->direction.set(entry, ray.direction);
     hits_->t[entry] = hit.t;
     hits_->u[entry] = hit.u;
     hits_->v[entry] = hit.v;
 }
 
+/// Hits in the order of the batch; true if all have one form.
+template <typename T>
+bool BatchShading<T>::place_in_order() {
+    std::size_t entry = 0;
+    std::size_t slot = 0;
+    ir::ObjectId object;
+    std::uint32_t face = 0;
+    form_counts_.fill(0);
+    for (std::size_t lane = 0; lane < given_.size(); ++lane) {
+        const Hit<T>& hit = given_[lane];
+        entry_[lane] = -1;
+        if (!hit) continue;
+        if (hit.object != object || hit.face != face) {
+            slot = slot_of(hit);
+            object = hit.object;
+            face = hit.face;
+        }
+        ++form_counts_[static_cast<std::size_t>(form_[slot])];
+        place(lane, slot, entry++);
+    }
+    count_ = entry;
+    return std::count(form_counts_.begin(), form_counts_.end(), 0U) + 1 >=
+           static_cast<std::ptrdiff_t>(kForms);
+}
+
+/// Those of one form side by side.
+template <typename T>
+void BatchShading<T>::place_by_form(const FormBegins& begins) {
+    std::array<std::int32_t, kBatchSize> slots;
+    std::copy_n(hits_->slot, count_, slots.begin());
+    auto next = begins;
+    std::size_t before = 0;
+    for (std::size_t lane = 0; lane < given_.size(); ++lane) {
+        if (entry_[lane] < 0) continue;
+        const auto slot = static_cast<std::size_t>(slots[before++]);
+        place(lane, slot, next[static_cast<std::size_t>(form_[slot])]++);
+    }
+}
+
+/// Points at the rays' columns if those are the hits', or makes columns that are.
+template <typename T>
+void BatchShading<T>::find_rays() {
+    if (in_order_ && batch_->in_columns) {
+        from_ = &batch_->origin;
+        direction_ = &batch_->direction;
+        return;
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Ray<T>& ray = batch_->rays[lane_[i]];
+        own_from_.set(i, ray.origin);
+        own_direction_.set(i, ray.direction);
+    }
+    from_ = &own_from_;
+    direction_ = &own_direction_;
+}
+
 template <typename T>
 void BatchShading<T>::compute(Form form, std::size_t first, std::size_t end) {
     if (first == end) return;
-    switch (form) {
-        case Form::kFlat:
-            return loops_->flat_triangles(*slots_, *hits_, first, end);
-        case Form::kSmooth:
-            return loops_->smooth_triangles(*slots_, *hits_, first, end);
-        case Form::kSphere:
-            return loops_->spheres(*slots_, *hits_, first, end);
-        case Form::kBox:
-            return loops_->boxes(*slots_, *hits_, first, end);
-        case Form::kOther:
-        case Form::kUnlit:
-            for (std::size_t i = first; i < end; ++i) look_at_other(i);
-            return;
+    if (form >= Form::kOther) {
+        for (std::size_t i = first; i < end; ++i) look_at_other(i);
+        return;
     }
+    const auto spread = [&](const Columns3<T>& from, Columns3<T>& to) {
+        loops_->spread(from, slot_count_, *hits_, to, first, end);
+    };
+    const auto spread_double = [&](const Columns3<double>& from, Columns3<double>& to) {
+        loops_->spread_double(from, slot_count_, *hits_, to, first, end);
+    };
+    const SurfaceForms<T>& of_slots = slots_->forms;
+    SurfaceForms<T>& forms = *forms_;
+    spread(slots_->kd, hits_->kd);
+    spread(of_slots.a, forms.a);
+    spread(of_slots.b, forms.b);
+    if (form == Form::kSphere) {
+        return loops_->spheres(forms, *from_, *direction_, *hits_, first, end);
+    }
+    spread_double(of_slots.normal, forms.normal);
+    if (form == Form::kBox) {
+        return loops_->boxes(forms, *from_, *direction_, *hits_, first, end);
+    }
+    spread(of_slots.c, forms.c);
+    if (form == Form::kFlat) {
+        return loops_->flat_triangles(forms, *from_, *direction_, *hits_, first, end);
+    }
+    spread_double(of_slots.na, forms.na);
+    spread_double(of_slots.nb, forms.nb);
+    spread_double(of_slots.nc, forms.nc);
+    loops_->smooth_triangles(forms, *from_, *direction_, *hits_, first, end);
 }
 
 template <typename T>
@@ -182,34 +253,20 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     any_highlight_ = any_scatters_ = any_glass_ = false;
     others_.clear();
     recent_.fill(-1);
-    std::array<std::uint8_t, kBatchSize> slot_of_lane;
-    static_assert(kBatchSize <= 256);
-    std::array<std::size_t, kForms> counts{};
-    for (std::size_t lane = 0; lane < hits.size(); ++lane) {
-        entry_[lane] = -1;
-        if (!hits[lane]) continue;
-        const std::size_t slot = slot_of(hits[lane]);
-        slot_of_lane[lane] = static_cast<std::uint8_t>(slot);
-        ++counts[static_cast<std::size_t>(form_[slot])];
-    }
-    std::array<std::size_t, kForms + 1> begins{};
-    for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] = begins[i] + counts[i];
+    const bool one_form = place_in_order();
+    FormBegins begins{};
+    for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] = begins[i] + form_counts_[i];
     first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
     lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
-    count_ = begins[kForms];
-    in_order_ = *std::max_element(counts.begin(), counts.end()) == hits.size();
-    auto next = begins;
-    for (std::size_t lane = 0; lane < hits.size(); ++lane) {
-        if (!hits[lane]) continue;
-        const std::size_t slot = slot_of_lane[lane];
-        place(lane, slot, next[static_cast<std::size_t>(form_[slot])]++);
-    }
+    if (!one_form) place_by_form(begins);
+    in_order_ = one_form && count_ == hits.size();
+    find_rays();
     for (std::size_t i = 0; i < kForms; ++i) {
         compute(static_cast<Form>(i), begins[i], begins[i + 1]);
     }
     if (!any_highlight_) return;
     for (std::size_t i = 0; i < lit_; ++i) {
-        mirrored_.set(i, reflect(hits_->direction.at(i), hits_->normal.at(i)));
+        mirrored_.set(i, reflect(direction_->at(i), hits_->normal.at(i)));
     }
 }
 
@@ -299,10 +356,10 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
             const auto i = static_cast<std::size_t>(entry);
             if (entry < 0 || i >= lit_ || light_->matters[i] == 0) continue;
             const std::size_t slot = slot_of_entry(entry);
+            // t_min is 0 for good.
             Ray<T>& ray = shadow_.rays[count];
             ray.origin = light_->from.at(i);
             ray.direction = light_->way.at(i);
-            ray.t_min = 0;
             ray.t_max = light_->t_max[i];
             ray.time = batch_->rays[lane].time;
             shadow_.excludes[count] = {ir::ObjectId{slots_->object[slot]}, slots_->face[slot],
@@ -347,7 +404,8 @@ void BatchShading<T>::color(Columns3<T>& colors) {
 
 template <typename T>
 void BatchShading<T>::send_on() {
-    (any_glass_ ? loops_->scatter_glass : loops_->scatter_mirror)(*slots_, *hits_, *on_, count_);
+    (any_glass_ ? loops_->scatter_glass : loops_->scatter_mirror)(*slots_, *hits_, *direction_,
+                                                                  *on_, count_);
 }
 
 template <typename T>
@@ -406,7 +464,7 @@ Encounter<T> BatchShading<T>::encounter(std::size_t lane) const {
     point.object = met.hit.object;
     point.face = met.hit.face;
     point.material = object.material;
-    met.look = look_at_surface(*scene_, *met.material, point, hits_->direction.at(i));
+    met.look = look_at_surface(*scene_, *met.material, point, direction_->at(i));
     met.light = hits_->light.at(i);
     return met;
 }

@@ -95,7 +95,11 @@ class BatchShading {
     [[nodiscard]] std::size_t slot_of_entry(std::int32_t entry) const {
         return static_cast<std::size_t>(hits_->slot[entry]);
     }
+    using FormBegins = std::array<std::size_t, kForms + 1>;
     void place(std::size_t lane, std::size_t slot, std::size_t entry);
+    bool place_in_order();
+    void place_by_form(const FormBegins& begins);
+    void find_rays();
     void compute(Form form, std::size_t first, std::size_t end);
     void look_at_other(std::size_t entry);
     void set_sample(std::size_t entry, const LightSample<T>& sample);
@@ -126,6 +130,7 @@ class BatchShading {
     std::array<std::int16_t, kRecent> recent_{};
 
     // By entry in the columns: those that are lit first.
+    std::unique_ptr<SurfaceForms<T>> forms_;
     std::unique_ptr<HitColumns<T>> hits_;
     std::unique_ptr<LightColumns<T>> light_;
     std::unique_ptr<ScatterColumns<T>> on_;  ///< null if no ray goes on from anywhere
@@ -133,7 +138,12 @@ class BatchShading {
     std::size_t lit_ = 0;
     std::size_t first_other_ = 0;
     std::size_t count_ = 0;
+    std::array<std::size_t, kForms> form_counts_{};
     bool in_order_ = false;  ///< each entry at its ray's place in the batch
+    /// The rays of the hits.
+    const Columns3<T>* from_ = nullptr;
+    const Columns3<T>* direction_ = nullptr;
+    Columns3<T> own_from_, own_direction_;
     bool any_highlight_ = false;
     bool any_scatters_ = false;  ///< of the batch
     bool any_glass_ = false;

@@ -17,12 +17,12 @@ CameraBatch<T>::CameraBatch(const ShadingScene<T>& scene, const Settings& settin
       samples_(std::max(settings.samples, 1U)),
       simple_(!scene.effects.depth_of_field && !scene.effects.motion_blur),
       next_(tile),
-      columns_(std::make_unique<CameraColumns<T>>()) {}
+      columns_(std::make_unique<CameraColumns>()) {}
 
 /// Where begin_sample() lets the ray through.
 template <typename T>
 void CameraBatch<T>::place_in_pixels() {
-    CameraColumns<T>& c = *columns_;
+    CameraColumns& c = *columns_;
     if (samples_ == 1) {
         for (std::size_t i = 0; i < c.run_count; ++i) {
             c.x[i] = c.runs[i].x + 0.5;
@@ -46,7 +46,7 @@ void CameraBatch<T>::place_in_pixels() {
 
 template <typename T>
 std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
-    CameraColumns<T>& c = *columns_;
+    CameraColumns& c = *columns_;
     most = std::min(most, kBatchSize);
     std::size_t count = 0;
     c.run_count = 0;
@@ -76,16 +76,21 @@ std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
 template <typename T>
 void CameraBatch<T>::begin(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
     const std::size_t count = choose(tile, most);
-    CameraColumns<T>& c = *columns_;
+    CameraColumns& c = *columns_;
     place_in_pixels();
     batch.begin(count);
     batch.end_stretch(Coherence::kCoherent);
     if (simple_) {
         // Origin and time are those of any ray.
-        if (first_) batch.rays.fill(camera_ray(*scene_, Sampler(0, 0, 0, 0), 0, 0).ray);
+        if (first_) {
+            const Ray<T> any = camera_ray(*scene_, Sampler(0, 0, 0, 0), 0, 0).ray;
+            batch.rays.fill(any);
+            for (std::size_t i = 0; i < kBatchSize; ++i) batch.origin.set(i, any.origin);
+        }
         first_ = false;
-        loops_->through_pinhole(scene_->camera, c, count);
-        for (std::size_t i = 0; i < count; ++i) batch.rays[i].direction = c.direction.at(i);
+        loops_->through_pinhole(scene_->camera, c, batch.direction, count);
+        for (std::size_t i = 0; i < count; ++i) batch.rays[i].direction = batch.direction.at(i);
+        batch.in_columns = true;
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {

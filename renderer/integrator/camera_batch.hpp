@@ -81,7 +81,7 @@ class CameraBatch {
     std::uint32_t samples_;  ///< a pixel
     bool simple_;            ///< neither lens nor time
     SampleCursor next_;
-    std::unique_ptr<CameraColumns<T>> columns_;
+    std::unique_ptr<CameraColumns> columns_;
     std::array<std::uint8_t, kBatchSize> run_{};  ///< by place in the batch
     bool first_ = true;                           ///< nothing has begun yet
 };

@@ -19,6 +19,7 @@
 #include <hwy/highway.h>
 
 #include "renderer/integrator/pixel_places-inl.hpp"
+#include "renderer/integrator/spread-inl.hpp"
 
 // All that a loop calls becomes part of it: a call left over would keep it from taking many at
 // once.
@@ -29,40 +30,43 @@ namespace cobble::renderer::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-COBBLE_LOOP bool through_pinhole_quickly(const PreparedCamera& of_scene, CameraColumns<float>& s,
+COBBLE_LOOP bool through_pinhole_quickly(const PreparedCamera& of_scene,
+                                         const CameraColumns& __restrict s,
+                                         Columns3<float>& __restrict directions,
                                          std::size_t count) {
     const PreparedCamera camera = of_scene;
     std::uint32_t unsure = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const QuickUnit unit = quick_unit(camera.toward(s.x[i], s.y[i]));
-        s.direction.set(i, unit.direction);
+        directions.set(i, unit.direction);
         unsure |= unit.unsure;
     }
     return unsure == 0;
 }
 
 template <typename T>
-COBBLE_LOOP void through_pinhole_slowly(const PreparedCamera& of_scene, CameraColumns<T>& s,
-                                        std::size_t count) {
+COBBLE_LOOP void through_pinhole_slowly(const PreparedCamera& of_scene,
+                                        const CameraColumns& __restrict s,
+                                        Columns3<T>& __restrict directions, std::size_t count) {
     const PreparedCamera camera = of_scene;
     for (std::size_t i = 0; i < count; ++i) {
-        s.direction.set(i, camera.pinhole(s.x[i], s.y[i]).direction.template to<T>());
+        directions.set(i, camera.pinhole(s.x[i], s.y[i]).direction.template to<T>());
     }
 }
 
 template <typename T>
-void through_pinhole(const PreparedCamera& camera, CameraColumns<T>& s, std::size_t count) {
+void through_pinhole(const PreparedCamera& camera, const CameraColumns& s, Columns3<T>& directions,
+                     std::size_t count) {
     if constexpr (std::is_same_v<T, float>) {
-        if (through_pinhole_quickly(camera, s, count)) return;
+        if (through_pinhole_quickly(camera, s, directions, count)) return;
     }
-    through_pinhole_slowly(camera, s, count);
+    through_pinhole_slowly(camera, s, directions, count);
 }
 
 /// What SurfacePoint and SurfaceLook say of a surface of a plain material.
 template <bool kClosed, typename T>
 void set_surface(HitColumns<T>& hits, std::size_t i, math::Vec3<T> direction,
-                 math::Vec3<Wide<T>> position, math::Vec3d unit_normal, math::Vec3<T> shading,
-                 math::Vec3<T> kd) {
+                 math::Vec3<Wide<T>> position, math::Vec3d unit_normal, math::Vec3<T> shading) {
     const math::Vec3<T> geometric = unit_normal.template to<T>();
     const bool turned = !kClosed && math::dot(direction, geometric) > T(0);
     hits.position.set(i, position.template to<T>());
@@ -71,77 +75,82 @@ void set_surface(HitColumns<T>& hits, std::size_t i, math::Vec3<T> direction,
                         turned ? -shading.z : shading.z});
     hits.error[i] = static_cast<T>(rounding_error<T>(unit_normal, to_double(position)));
     hits.turned[i] = turned ? 1 : 0;
-    hits.kd.set(i, kd);
     hits.light.set(i, {});
 }
 
 template <typename T>
-math::Vec3<Wide<T>> triangle_point_at(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
+math::Vec3<Wide<T>> triangle_point_at(const SurfaceForms<T>& forms, const HitColumns<T>& hits,
                                       std::size_t i) {
     using W = Wide<T>;
-    const auto slot = static_cast<std::size_t>(hits.slot[i]);
-    return triangle_point(slots.a.at(slot).template to<W>(), slots.b.at(slot).template to<W>(),
-                          slots.c.at(slot).template to<W>(), W(hits.u[i]), W(hits.v[i]));
+    return triangle_point(widen(forms.a.at(i)), widen(forms.b.at(i)), widen(forms.c.at(i)),
+                          W(hits.u[i]), W(hits.v[i]));
 }
 
 template <typename T>
-COBBLE_LOOP void flat_triangles(const SurfaceSlots<T>& __restrict slots,
+COBBLE_LOOP void flat_triangles(const SurfaceForms<T>& __restrict forms,
+                                const Columns3<T>& /*from*/, const Columns3<T>& __restrict way,
                                 HitColumns<T>& __restrict hits, std::size_t first,
                                 std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-        const auto slot = static_cast<std::size_t>(hits.slot[i]);
-        const math::Vec3d normal = slots.normal.at(slot);
-        set_surface<false>(hits, i, hits.direction.at(i), triangle_point_at(slots, hits, i), normal,
-                           normal.template to<T>(), slots.kd.at(slot));
+        const math::Vec3d normal = forms.normal.at(i);
+        set_surface<false>(hits, i, way.at(i), triangle_point_at(forms, hits, i), normal,
+                           normal.template to<T>());
     }
 }
 
 template <typename T>
-COBBLE_LOOP void smooth_triangles(const SurfaceSlots<T>& __restrict slots,
+COBBLE_LOOP void smooth_triangles(const SurfaceForms<T>& __restrict forms,
+                                  const Columns3<T>& /*from*/, const Columns3<T>& __restrict way,
                                   HitColumns<T>& __restrict hits, std::size_t first,
                                   std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-        const auto slot = static_cast<std::size_t>(hits.slot[i]);
-        const math::Vec3d normal = slots.normal.at(slot);
+        const math::Vec3d normal = forms.normal.at(i);
         const math::Vec3d smooth =
-            unit(triangle_point(slots.na.at(slot), slots.nb.at(slot), slots.nc.at(slot),
+            unit(triangle_point(forms.na.at(i), forms.nb.at(i), forms.nc.at(i),
                                 static_cast<double>(hits.u[i]), static_cast<double>(hits.v[i])));
         const bool taken = dot(smooth, smooth) > 0.5;
         const math::Vec3d shading{taken ? smooth.x : normal.x, taken ? smooth.y : normal.y,
                                   taken ? smooth.z : normal.z};
-        set_surface<false>(hits, i, hits.direction.at(i), triangle_point_at(slots, hits, i), normal,
-                           shading.template to<T>(), slots.kd.at(slot));
+        set_surface<false>(hits, i, way.at(i), triangle_point_at(forms, hits, i), normal,
+                           shading.template to<T>());
     }
 }
 
 template <typename T>
-COBBLE_LOOP void spheres(const SurfaceSlots<T>& __restrict slots, HitColumns<T>& __restrict hits,
-                         std::size_t first, std::size_t end) {
+COBBLE_LOOP void spheres(const SurfaceForms<T>& __restrict forms,
+                         const Columns3<T>& __restrict from, const Columns3<T>& __restrict way,
+                         HitColumns<T>& __restrict hits, std::size_t first, std::size_t end) {
     using W = Wide<T>;
     for (std::size_t i = first; i < end; ++i) {
-        const auto slot = static_cast<std::size_t>(hits.slot[i]);
-        const math::Vec3<W> center = slots.a.at(slot).template to<W>();
-        const math::Vec3<T> direction = hits.direction.at(i);
-        const math::Vec3<W> n = sphere_normal(center, along(hits.from.at(i), direction, hits.t[i]));
+        const math::Vec3<W> center = widen(forms.a.at(i));
+        const math::Vec3<T> direction = way.at(i);
+        const math::Vec3<W> n = sphere_normal(center, along(from.at(i), direction, hits.t[i]));
         const math::Vec3d normal = unit(to_double(n));
-        set_surface<true>(hits, i, direction, center + n * W(slots.b.x[slot]), normal,
-                          normal.template to<T>(), slots.kd.at(slot));
+        set_surface<true>(hits, i, direction, center + n * W(forms.b.x[i]), normal,
+                          normal.template to<T>());
     }
 }
 
 template <typename T>
-COBBLE_LOOP void boxes(const SurfaceSlots<T>& __restrict slots, HitColumns<T>& __restrict hits,
+COBBLE_LOOP void boxes(const SurfaceForms<T>& __restrict forms, const Columns3<T>& __restrict from,
+                       const Columns3<T>& __restrict way, HitColumns<T>& __restrict hits,
                        std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-        const auto slot = static_cast<std::size_t>(hits.slot[i]);
-        const BoxBounds<T> box{slots.a.at(slot).template to<T>(),
-                               slots.b.at(slot).template to<T>()};
-        const math::Vec3d normal = slots.normal.at(slot);
-        const math::Vec3<T> direction = hits.direction.at(i);
+        const BoxBounds<T> box{forms.a.at(i), forms.b.at(i)};
+        const math::Vec3d normal = forms.normal.at(i);
+        const math::Vec3<T> direction = way.at(i);
         set_surface<true>(hits, i, direction,
-                          box_point(box, normal, along(hits.from.at(i), direction, hits.t[i])),
-                          normal, normal.template to<T>(), slots.kd.at(slot));
+                          box_point(box, normal, along(from.at(i), direction, hits.t[i])), normal,
+                          normal.template to<T>());
     }
+}
+
+template <typename T, typename U>
+void spread(const Columns3<U>& values, std::size_t slot_count, const HitColumns<T>& hits,
+            Columns3<U>& of_hits, std::size_t first, std::size_t end) {
+    spread_column(values.x, slot_count, hits.slot, of_hits.x, first, end);
+    spread_column(values.y, slot_count, hits.slot, of_hits.y, first, end);
+    spread_column(values.z, slot_count, hits.slot, of_hits.z, first, end);
 }
 
 COBBLE_LOOP bool to_even_light_quickly(const PreparedLight& light, const HitColumns<float>& hits,
@@ -287,11 +296,11 @@ void set_child(ChildColumns<T>& children, std::size_t i, math::Vec3<T> position,
 
 template <bool kGlass, typename T>
 COBBLE_LOOP void scatter(const SurfaceSlots<T>& __restrict slots,
-                         const HitColumns<T>& __restrict hits, ScatterColumns<T>& __restrict rays,
-                         std::size_t count) {
+                         const HitColumns<T>& __restrict hits, const Columns3<T>& __restrict way,
+                         ScatterColumns<T>& __restrict rays, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const auto slot = static_cast<std::size_t>(hits.slot[i]);
-        const math::Vec3<T> direction = hits.direction.at(i);
+        const math::Vec3<T> direction = way.at(i);
         const math::Vec3<T> geometric = hits.geometric.at(i);
         const math::Vec3<T> position = hits.position.at(i);
         const T error = hits.error[i];
@@ -396,12 +405,14 @@ COBBLE_LOOP bool all_finite(const Columns3<T>& values, std::size_t count) {
 template <typename T>
 const ColumnLoops<T>& loops() {
     static constexpr ColumnLoops<T> kLoops{
-        place_in_pixels<T>,
+        place_in_pixels,
         through_pinhole<T>,
         flat_triangles<T>,
         smooth_triangles<T>,
         spheres<T>,
         boxes<T>,
+        spread<T, T>,
+        spread<T, double>,
         to_point_light<T>,
         lambert_share<T>,
         ask_with_shadows_to_target<T>,

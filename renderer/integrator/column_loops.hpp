@@ -17,15 +17,25 @@ namespace cobble::renderer {
 template <typename T>
 struct ColumnLoops {
     /// The places that the filter chooses in each run's pixel, for PixelFilter::kBox.
-    void (*place_in_pixels)(CameraColumns<T>& samples);
+    void (*place_in_pixels)(CameraColumns& samples);
     /// From places to directions, without a lens.
-    void (*through_pinhole)(const PreparedCamera& camera, CameraColumns<T>& samples,
-                            std::size_t count);
+    void (*through_pinhole)(const PreparedCamera& camera, const CameraColumns& samples,
+                            Columns3<T>& directions, std::size_t count);
 
-    /// Surfaces of plain materials: all that HitColumns says of them.
-    using Surfaces = void (*)(const SurfaceSlots<T>& slots, HitColumns<T>& hits, std::size_t first,
+    /// Surfaces of plain materials: all that HitColumns says of them but for `kd`. `forms`, `from`
+    /// and `direction` are those of the hits.
+    using Surfaces = void (*)(const SurfaceForms<T>& forms, const Columns3<T>& from,
+                              const Columns3<T>& direction, HitColumns<T>& hits, std::size_t first,
                               std::size_t end);
     Surfaces flat_triangles, smooth_triangles, spheres, boxes;
+    /// What `values` has for each of the first `slot_count` slots, for each hit by its slot: values
+    /// of hits up to 15 before `first` and behind `end` may be written too.
+    template <typename U>
+    using Spread = void (*)(const Columns3<U>& values, std::size_t slot_count,
+                            const HitColumns<T>& hits, Columns3<U>& of_hits, std::size_t first,
+                            std::size_t end);
+    Spread<T> spread;
+    Spread<double> spread_double;
 
     /// light_middle(), for kPoint.
     void (*to_point_light)(const PreparedLight& light, const HitColumns<T>& hits,
@@ -39,7 +49,8 @@ struct ColumnLoops {
 
     /// What scatter() sends on, of mirrors alone or of glass too.
     using Scatter = void (*)(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
-                             ScatterColumns<T>& rays, std::size_t count);
+                             const Columns3<T>& direction, ScatterColumns<T>& rays,
+                             std::size_t count);
     Scatter scatter_mirror, scatter_glass;
 
     /// ambient kd + light, into `colors`, which may be the light's own columns.

@@ -42,7 +42,6 @@ struct PixelRun {
 };
 
 /// Samples that begin: which ones, and where their first rays go.
-template <typename T>
 struct CameraColumns {
     /// Loops over a run may go on to the end of a register.
     static constexpr std::size_t kRoom = kBatchSize + 16;
@@ -52,17 +51,22 @@ struct CameraColumns {
     /// The place in the picture that the ray goes through.
     alignas(kColumnAlignment) double x[kRoom];
     alignas(kColumnAlignment) double y[kRoom];
-    Columns3<T> direction;
+};
+
+/// What surfaces of plain materials are computed from.
+template <typename T>
+struct SurfaceForms {
+    /// Vertices of a triangle; centre and radius (b.x) of a sphere; corners of a box.
+    Columns3<T> a, b, c;
+    Columns3<double> normal;      ///< geometric, unit; not of a sphere
+    Columns3<double> na, nb, nc;  ///< at the vertices of a smooth triangle
 };
 
 /// The different surfaces that a batch meets: a few, where rays go nearly alike.
 template <typename T>
 struct SurfaceSlots {
-    /// Vertices of a triangle; centre and radius (b.x) of a sphere; corners of a box.
-    Columns3<double> a, b, c;
-    Columns3<double> normal;      ///< geometric, unit; not of a sphere
-    Columns3<double> na, nb, nc;  ///< at the vertices of a smooth triangle
-    Columns3<T> kd;               ///< of plain materials
+    SurfaceForms<T> forms;
+    Columns3<T> kd;  ///< of plain materials
     Columns3<T> specular;
     alignas(kColumnAlignment) T index[kBatchSize];  ///< of refraction; 0: opaque
     alignas(kColumnAlignment) std::uint32_t face[kBatchSize];
@@ -73,7 +77,6 @@ struct SurfaceSlots {
 template <typename T>
 struct HitColumns {
     alignas(kColumnAlignment) std::int32_t slot[kBatchSize];
-    Columns3<T> from, direction;  ///< of the ray
     alignas(kColumnAlignment) T t[kBatchSize];
     alignas(kColumnAlignment) T u[kBatchSize];
     alignas(kColumnAlignment) T v[kBatchSize];

@@ -24,8 +24,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_SCALAR
 
-template <typename T>
-void place_in_pixels(CameraColumns<T>& s) {
+inline void place_in_pixels(CameraColumns& s) {
     for (std::size_t r = 0; r < s.run_count; ++r) {
         const PixelRun& run = s.runs[r];
         for (std::uint32_t i = 0; i < run.count; ++i) {
@@ -98,8 +97,8 @@ HWY_INLINE void store_places(D d, V coordinate, std::uint32_t corner, double* to
 }
 
 /// sobol_point(), at most kMost samples at once.
-template <std::size_t kMost, typename T>
-void place_runs(CameraColumns<T>& s) {
+template <std::size_t kMost>
+void place_runs(CameraColumns& s) {
     const hn::CappedTag<std::uint32_t, kMost> d;
     // Loaded: g++ makes hn::Iota() of a number for each lane through memory, and waits for it.
     alignas(kColumnAlignment) static constexpr std::uint32_t kLanesInOrder[16] = {
@@ -117,8 +116,7 @@ void place_runs(CameraColumns<T>& s) {
     }
 }
 
-template <typename T>
-void place_in_pixels(CameraColumns<T>& s) {
+inline void place_in_pixels(CameraColumns& s) {
     // Runs are of one length, but for the last one.
     const std::uint32_t length = s.runs[0].count;
     if (length <= 4) return place_runs<4>(s);

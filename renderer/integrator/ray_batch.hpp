@@ -25,6 +25,9 @@ struct RayBatch {
     std::array<Ray<T>, kBatchSize>
         rays;  ///< and what they start on; those beyond `count` mean nothing
     std::array<Exclude, kBatchSize> excludes;
+    /// If `in_columns`: origins and directions once more.
+    Columns3<T> origin, direction;
+    bool in_columns = false;
     std::size_t count = 0;
     std::vector<Stretch> stretches;  ///< one after the other; the last one ends with the rays
     std::size_t asked = 0;           ///< so many of the first have their answers
@@ -37,6 +40,7 @@ struct RayBatch {
     void begin(std::size_t of) {
         count = of;
         asked = 0;
+        in_columns = false;
         stretches.clear();
     }
     void add(const Ray<T>& ray, const Exclude& exclude) {
