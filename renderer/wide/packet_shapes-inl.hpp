@@ -32,10 +32,11 @@ HWY_INLINE void offer(const WideTree<float>& tree, Packet& p, std::size_t ray, f
         if (!(t < best.t)) return;
         best.object = object;
         p.bound[ray] = std::numeric_limits<float>::lowest();
+        p.least[ray] = p.bound[ray];
         return;
     }
     if (p.ahead[ray] != Packet::kNoTriangle) {
-        if (t < p.ahead_near[ray]) {
+        if (t < p.least[ray]) {
             p.ahead[ray] = Packet::kNoTriangle;
         } else {
             settle(tree, p, ray);
@@ -47,6 +48,7 @@ HWY_INLINE void offer(const WideTree<float>& tree, Packet& p, std::size_t ray, f
     if (!before) return;
     best = {t, object, face, 0, 0};
     p.bound[ray] = t;
+    p.least[ray] = t;
 }
 
 /// What a group's rays span of a box, not clipped by where they start or end: slab_span().

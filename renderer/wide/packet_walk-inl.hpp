@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A packet through a wide tree.
 //
-// A node is first tried with intervals that hold all rays: eight children in one step. The slabs'
-// arithmetic is monotone in the origin and in the inverse, so that the intervals' answer covers
-// each ray's own. Only then groups of rays, a lane each, are tested against the children that are
-// left.
+// Rays go in beams of neighbours. A node is tried with intervals that hold a beam's rays, eight
+// children and several beams in one step; so are triangles, four and all beams in one step. Only
+// what is left at leaves is tested with groups of rays, a lane each.
 //
 // Read again for each instruction set, so that its guard is Highway's and not a pragma.
 #if defined(COBBLE_PACKET_WALK_INL) == defined(HWY_TARGET_TOGGLE)
@@ -21,6 +20,7 @@
 #include <limits>
 
 #include "renderer/scene/geometry.hpp"
+#include "renderer/wide/beams-inl.hpp"
 #include "renderer/wide/packet_shapes-inl.hpp"
 #include "renderer/wide/settle-inl.hpp"
 #include "renderer/wide/single-inl.hpp"
@@ -28,44 +28,43 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
-/// One ray and one triangle that its edge functions and its box leave open; `sure` if the line
-/// meets it in any case.
-template <bool kAny>
-inline void meet(const WideTree<float>& tree, Packet& p, std::size_t ray, std::uint32_t triangle,
-                 bool sure, float near, float far) {
-    const TriangleBlock<float>& block = tree.triangles[triangle / kBlockLanes];
-    const std::size_t lane = triangle % kBlockLanes;
-    const Exclude& exclude = p.excludes[ray];
-    if (block.object[lane] == exclude.object && block.face[lane] == exclude.face) return;
-    const bool inside = sure && near > p.t_min[ray];
-    if constexpr (kAny) {
-        if (inside && far < p.best[ray].t) {
-            p.best[ray].object = block.object[lane];
-            p.bound[ray] = std::numeric_limits<float>::lowest();
-            return;
-        }
-    } else {
-        const bool waits = p.ahead[ray] != Packet::kNoTriangle;
-        const float least = waits ? p.ahead_near[ray] : p.best[ray].t;
-        if (inside && far < least) {
-            p.ahead[ray] = triangle;
-            p.ahead_near[ray] = near;
-            p.bound[ray] = far;
-            return;
-        }
-        // Whether this one is sure or not: it may turn out to lie before the one that waits.
-        settle(tree, p, ray);
+/// The lanes of `bits` that have just left the triangle in a lane of a block.
+HWY_INLINE std::uint32_t left_behind(const TriangleBlock<float>& block, std::size_t lane,
+                                     std::uint32_t bits, const Packet& p, std::size_t at) {
+    std::uint32_t left = 0;
+    for (; bits != 0; bits &= bits - 1) {
+        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+        const Exclude& exclude = p.excludes[at + i];
+        const bool same = block.object[lane] == exclude.object && block.face[lane] == exclude.face;
+        left |= std::uint32_t{same} << i;
     }
-    const auto one = lane_of(block, lane);
+    return left;
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                   static_cast<std::uint8_t>(bits >> 8)};
+    return hn::LoadMaskBits(d, bytes);
+}
+
+/// One ray and one triangle of which groups of rays leave something open: it may be missed, or its
+/// place is not clear.
+template <bool kAny>
+HWY_NOINLINE void meet(const WideTree<float>& tree, Packet& p, std::size_t ray,
+                       std::uint32_t triangle) {
+    const auto one = lane_of(tree.triangles[triangle / kBlockLanes], triangle % kBlockLanes);
+    if (!kAny) settle(tree, p, ray);
     Search<float> search = begin_search(p, ray);
     test_triangle(forms_of(p, ray), one.vertices, one.object, one.face, search);
     end_search<kAny>(search, p, ray);
 }
 
-/// One triangle against a group of rays.
-template <bool kAny>
-HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t index, Packet& p,
-                                    std::size_t group) {
+/// One triangle against a group of rays; true if a bound has changed. `far_off`: no edge function
+/// errs by more; only if kKnown.
+template <bool kAny, bool kKnown>
+HWY_INLINE bool test_triangle_group(const WideTree<float>& tree, std::uint32_t index, float far_off,
+                                    Packet& p, std::size_t group) {
     using D = Packet::D;
     const D d;
     const TriangleBlock<float>& block = tree.triangles[index / kBlockLanes];
@@ -77,19 +76,22 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
         hn::Load(d, p.origin[p.kx] + at), hn::Load(d, p.origin[p.ky] + at),
         hn::Load(d, p.origin[p.kz] + at), hn::Load(d, p.sx + at), hn::Load(d, p.sy + at)};
     const auto edges = edges_of(d, shear, p.kx, p.ky, p.kz, corner);
-    const auto open = hn::Not(surely_outside(d, edges.u, edges.v, edges.w, edges.error));
-    if (hn::AllFalse(d, open)) return;
+    const auto least = hn::Min(hn::Min(edges.u, edges.v), edges.w);
+    const auto most = hn::Max(hn::Max(edges.u, edges.v), edges.w);
+    const auto error = kKnown ? hn::Set(d, far_off) : edges.error;
+    const auto outside = hn::And(hn::Lt(least, hn::Neg(error)), hn::Gt(most, error));
+    if (hn::AllTrue(d, outside)) return false;
 
     auto near = hn::Set(d, std::numeric_limits<float>::lowest());
     auto far = hn::Set(d, std::numeric_limits<float>::max());
     for (std::size_t a = 0; a < 3; ++a) {
-        float lo = block.vertices[0][a][lane];
-        float hi = lo;
-        for (std::size_t i = 1; i < 3; ++i) {
-            const float c = block.vertices[i][a][lane];
-            lo = c < lo ? c : lo;
-            hi = c > hi ? c : hi;
-        }
+        const float* const c0 = &block.vertices[0][a][lane];
+        const float* const c1 = &block.vertices[1][a][lane];
+        const float* const c2 = &block.vertices[2][a][lane];
+        float lo = *c0 < *c1 ? *c0 : *c1;
+        lo = *c2 < lo ? *c2 : lo;
+        float hi = *c0 > *c1 ? *c0 : *c1;
+        hi = *c2 > hi ? *c2 : hi;
         const auto o = hn::Load(d, p.origin[a] + at);
         const bool negative = p.negative[a];
         near = hn::Max(near, hn::Mul(hn::Sub(hn::Set(d, negative ? hi : lo), o),
@@ -98,21 +100,42 @@ HWY_INLINE void test_triangle_group(const WideTree<float>& tree, std::uint32_t i
                                    hn::Load(d, p.inverse_far[a] + at)));
     }
     const auto min = hn::Load(d, p.t_min + at);
-    const auto bound = hn::Load(d, p.bound + at);
-    const auto left =
-        hn::And(hn::And(open, hn::Le(near, far)), hn::And(hn::Gt(far, min), hn::Le(near, bound)));
+    auto left = hn::And(hn::And(hn::Not(outside), hn::Le(near, far)),
+                        hn::And(hn::Gt(far, min), hn::Le(near, hn::Load(d, p.bound + at))));
+    if (hn::AllFalse(d, left)) return false;
+    const auto sure = surely_inside(d, edges.u, edges.v, edges.w);
+    if (kKnown && !hn::AllFalse(d, hn::AndNot(sure, left))) {
+        left = hn::AndNot(surely_outside(d, edges.u, edges.v, edges.w, edges.error), left);
+    }
     std::uint32_t bits = bits_of(d, left);
-    if (bits == 0) return;
-    const std::uint32_t sure_bits = bits_of(d, surely_inside(d, edges.u, edges.v, edges.w));
-    alignas(64) float nears[Packet::kLanes];
-    alignas(64) float fars[Packet::kLanes];
-    hn::Store(near, d, nears);
-    hn::Store(far, d, fars);
-    do {
+    if (p.some_excluded) bits &= ~left_behind(block, lane, bits, p, at);
+    // Those that it surely comes before all else for; of any hit: that it surely ends.
+    const auto first = hn::And(hn::And(left, sure),
+                               hn::And(hn::Gt(near, min), hn::Lt(far, hn::Load(d, p.least + at))));
+    std::uint32_t done = bits_of(d, first) & bits;
+    bits &= ~done;
+    if (done != 0) {
+        const auto mask = mask_of(d, done);
+        if constexpr (kAny) {
+            const auto through = hn::Set(d, std::numeric_limits<float>::lowest());
+            hn::BlendedStore(through, mask, d, p.bound + at);
+            hn::BlendedStore(through, mask, d, p.least + at);
+            for (; done != 0; done &= done - 1) {
+                p.best[at + hwy::Num0BitsBelowLS1Bit_Nonzero32(done)].object = block.object[lane];
+            }
+        } else {
+            const hn::RebindToUnsigned<D> du;
+            hn::BlendedStore(hn::Set(du, index), hn::RebindMask(du, mask), du, p.ahead + at);
+            hn::BlendedStore(near, mask, d, p.least + at);
+            hn::BlendedStore(far, mask, d, p.bound + at);
+        }
+    }
+    while (bits != 0) {
         const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
         bits &= bits - 1;
-        meet<kAny>(tree, p, at + i, index, (sure_bits >> i & 1) != 0, nears[i], fars[i]);
-    } while (bits != 0);
+        meet<kAny>(tree, p, at + i, index);
+    }
+    return true;
 }
 
 /// Everything else, one ray at a time.
@@ -137,91 +160,150 @@ void test_planes(const Geometry<float>& g, Packet& p) {
     }
 }
 
+/// So few are faster tested with triangles one by one than bounded.
+inline constexpr std::size_t kFewGroups = 2;
+
+/// The groups of rays that meet a leaf of triangles against what is in it; a bit for each group
+/// whose bounds have changed.
+template <bool kAny>
+HWY_INLINE std::uint32_t test_triangle_leaf(const WideTree<float>& tree, ChildRef at,
+                                            std::uint32_t groups, Packet& p) {
+    const std::uint32_t first = at.index() * std::uint32_t{kBlockLanes};
+    const std::uint32_t count = at.count();
+    std::uint32_t changed = 0;
+    p.primitive_tests += hwy::PopCount(groups) * Packet::kLanes * count;
+    if (hwy::PopCount(groups) <= kFewGroups) {
+        for (; groups != 0; groups &= groups - 1) {
+            const auto group = hwy::Num0BitsBelowLS1Bit_Nonzero32(groups);
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const bool c = test_triangle_group<kAny, false>(tree, first + i, 0, p, group);
+                changed |= std::uint32_t{c} << group;
+            }
+        }
+        return changed;
+    }
+    alignas(64) float far_off[Beams::kOfBlock];
+    const std::uint32_t met = beams_at_block(tree.triangles[at.index()], p, far_off);
+    for (; groups != 0; groups &= groups - 1) {
+        const auto group = hwy::Num0BitsBelowLS1Bit_Nonzero32(groups);
+        const std::size_t beam = group / Packet::kBeamGroups;
+        std::uint32_t triangles = met >> (beam * kBlockLanes) & ((1U << count) - 1);
+        for (; triangles != 0; triangles &= triangles - 1) {
+            const auto i =
+                static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(triangles));
+            const bool c = test_triangle_group<kAny, true>(
+                tree, first + i, far_off[beam * kBlockLanes + i], p, group);
+            changed |= std::uint32_t{c} << group;
+        }
+    }
+    return changed;
+}
+
+/// The groups of the asked-for beams that meet a slot's box, and what is in it; true if bounds have
+/// changed.
+template <bool kAny>
+HWY_INLINE bool test_slot(const Geometry<float>& g, const WideNode<float>& parent, std::size_t slot,
+                          std::uint32_t beams, Packet& p) {
+    const ChildRef child = parent.child[slot];
+    std::uint32_t groups = 0;
+    for (std::size_t group = 0; group < Packet::kGroups; ++group) {
+        if ((beams >> (8 * (group / Packet::kBeamGroups)) & 1) == 0) continue;
+        std::uint32_t bits = group_hits(parent, slot, p, group);
+        if (bits == 0) continue;
+        groups |= 1U << group;
+        switch (child.kind()) {
+            case PrimitiveKind::kTriangle:
+                ++p.leaf_groups;
+                p.leaf_rays += hwy::PopCount(bits);
+                break;
+            case PrimitiveKind::kSphere:
+                test_sphere_group<kAny>(g, child, bits, p, group);
+                break;
+            case PrimitiveKind::kBox:
+                test_box_group<kAny>(g, parent, slot, bits, p, group);
+                break;
+            default:
+                for (; bits != 0; bits &= bits - 1) {
+                    const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+                    test_others<kAny>(g, child, p, group * Packet::kLanes + i);
+                }
+        }
+    }
+    if (groups == 0) return false;
+    if (child.kind() == PrimitiveKind::kTriangle) {
+        groups = test_triangle_leaf<kAny>(g.wide, child, groups, p);
+    }
+    constexpr std::uint32_t kOfBeam = (1U << Packet::kBeamGroups) - 1;
+    for (std::size_t beam = 0; beam < kBeams; ++beam) {
+        if ((groups >> (beam * Packet::kBeamGroups) & kOfBeam) != 0) update_bound(p, beam);
+    }
+    return groups != 0;
+}
+
+/// Which of the asked-for beams meet a slot's box: those before the first of which a ray surely
+/// does are left out.
+HWY_INLINE std::uint32_t first_beams(const WideNode<float>& node, std::size_t slot,
+                                     std::uint32_t beams, const Packet& p) {
+    for (; beams != 0; beams &= beams - 1) {
+        const std::size_t beam = hwy::Num0BitsBelowLS1Bit_Nonzero32(beams) / 8;
+        for (std::size_t i = 0; i < Packet::kBeamGroups; ++i) {
+            if (group_hits(node, slot, p, beam * Packet::kBeamGroups + i) != 0) return beams;
+        }
+    }
+    return 0;
+}
+
 struct WaitingPart {
     float near;
+    std::uint32_t beams;  ///< that may meet it, as in kAllBeams
     ChildRef child;
-    const WideNode<float>* parent;  ///< the node whose slot it is
-    std::uint8_t slot;
-    std::uint8_t group;  ///< no group before this one meets it
+    std::uint32_t slot;             ///< that it is
+    const WideNode<float>* parent;  ///< of this node
 };
-
-inline float greatest_bound(const Packet& p) {
-    using D = Packet::D;
-    const D d;
-    auto most = hn::Load(d, p.bound);
-    for (std::size_t g = 1; g < Packet::kGroups; ++g) {
-        most = hn::Max(most, hn::Load(d, p.bound + g * Packet::kLanes));
-    }
-    return hn::GetLane(hn::MaxOfLanes(d, most));
-}
 
 template <bool kAny>
 HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
     const WideTree<float>& tree = g.wide;
     if (tree.nodes.empty()) return;
     constexpr std::size_t kWidth = WideNode<float>::kWidth;
+    gather_beams(p);
     WaitingPart stack[kMaxTreeDepth * (kWidth - 1) + kWidth];
     std::size_t waiting = 0;
-    stack[waiting++] = {p.least_t_min, ChildRef::inner(0), nullptr, 0, 0};
+    stack[waiting++] = {std::numeric_limits<float>::lowest(), kAllBeams, ChildRef::inner(0), 0,
+                        nullptr};
     float bound = greatest_bound(p);
     std::uint64_t steps = 0;
     while (waiting != 0) {
         const WaitingPart at = stack[--waiting];
         if (at.near > bound) continue;
-        if (at.child.is_inner()) {
-            const WideNode<float>& node = at.child.node_in(tree.nodes.data());
-            ++steps;
-            alignas(64) float begins[kWidth];
-            std::uint32_t bits = interval_hits(node, p, bound, begins);
-            const std::size_t base = waiting;
-            while (bits != 0) {
-                const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                std::size_t group = at.group;
-                while (group < Packet::kGroups && group_hits(node, slot, p, group) == 0) ++group;
-                if (group == Packet::kGroups) continue;
-                const WaitingPart next{begins[slot], node.child[slot], &node,
-                                       static_cast<std::uint8_t>(slot),
-                                       static_cast<std::uint8_t>(group)};
-                std::size_t place = waiting++;
-                while (place > base && stack[place - 1].near < next.near) {
-                    stack[place] = stack[place - 1];
-                    --place;
-                }
-                stack[place] = next;
-            }
+        if (!at.child.is_inner()) {
+            if (!test_slot<kAny>(g, *at.parent, at.slot, at.beams, p)) continue;
+            bound = greatest_bound(p);
+            if (kAny && bound == std::numeric_limits<float>::lowest()) break;
             continue;
         }
-        const WideNode<float>& parent = *at.parent;
-        for (std::size_t group = at.group; group < Packet::kGroups; ++group) {
-            std::uint32_t bits = group_hits(parent, at.slot, p, group);
-            if (bits == 0) continue;
-            if (at.child.kind() == PrimitiveKind::kTriangle) {
-                ++p.leaf_groups;
-                p.leaf_rays += hwy::PopCount(bits);
-                p.primitive_tests += Packet::kLanes * at.child.count();
-                const std::uint32_t first = at.child.index() * std::uint32_t{kBlockLanes};
-                for (std::uint32_t i = 0; i < at.child.count(); ++i) {
-                    test_triangle_group<kAny>(tree, first + i, p, group);
-                }
-                continue;
+        const WideNode<float>& node = at.child.node_in(tree.nodes.data());
+        ++steps;
+        alignas(64) float begins[kWidth];
+        const std::uint32_t hits = beam_hits(node, p, at.beams, begins);
+        const std::size_t base = waiting;
+        std::uint32_t bits = (hits | hits >> 16) & 0xffff;
+        bits = (bits | bits >> 8) & 0xff;
+        for (; bits != 0; bits &= bits - 1) {
+            const auto slot = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+            std::uint32_t beams = hits >> slot & kAllBeams;
+            if constexpr (kAny) {
+                beams = first_beams(node, slot, beams, p);
+                if (beams == 0) continue;
             }
-            if (at.child.kind() == PrimitiveKind::kSphere) {
-                test_sphere_group<kAny>(g, at.child, bits, p, group);
-                continue;
+            const WaitingPart next{begins[slot], beams, node.child[slot], slot, &node};
+            std::size_t place = waiting++;
+            while (place > base && stack[place - 1].near < next.near) {
+                stack[place] = stack[place - 1];
+                --place;
             }
-            if (at.child.kind() == PrimitiveKind::kBox) {
-                test_box_group<kAny>(g, parent, at.slot, bits, p, group);
-                continue;
-            }
-            while (bits != 0) {
-                const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                test_others<kAny>(g, at.child, p, group * Packet::kLanes + i);
-            }
+            stack[place] = next;
         }
-        bound = greatest_bound(p);
-        if (kAny && bound == std::numeric_limits<float>::lowest()) break;
     }
     if constexpr (!kAny) settle_all(tree, p);
     p.box_tests += steps * kWidth;

@@ -54,6 +54,7 @@ inline void end_search(const Search<float>& search, Packet& p, std::size_t ray) 
     p.best[ray] = search.best;
     const bool through = kAny && search.best.object.valid();
     p.bound[ray] = through ? std::numeric_limits<float>::lowest() : search.best.t;
+    p.least[ray] = p.bound[ray];
     p.box_tests += search.box_tests;
 }
 
@@ -78,35 +79,69 @@ HWY_NOINLINE inline void settle(const WideTree<float>& tree, Packet& p, std::siz
          detail::shear(shear, v[2] - shear.origin)},
         EdgeRule::kInclusive);
     // It was sure to be met, and before anything else.
-    const Span<float> span{p.ahead_near[ray], p.bound[ray]};
+    const Span<float> span{p.least[ray], p.bound[ray]};
     p.best[ray] = {clamp_to(span, hit->t), triangle.object, triangle.face, hit->u, hit->v};
     p.bound[ray] = p.best[ray].t;
+    p.least[ray] = p.best[ray].t;
 }
 
-/// settle() of all rays: the same arithmetic, a lane each. Every lane is computed, those that no
-/// triangle waits for with that of another ray.
-HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
-    std::size_t some = p.count;
-    for (std::size_t i = 0; i < p.count; ++i) {
-        if (p.ahead[i] != Packet::kNoTriangle) some = i;
-    }
-    if (some == p.count) return;
-    alignas(64) float corners[3][3][kPacketRays];
-    for (std::size_t i = 0; i < kPacketRays; ++i) {
-        const bool waits = i < p.count && p.ahead[i] != Packet::kNoTriangle;
-        const std::uint32_t ahead = p.ahead[waits ? i : some];
-        const TriangleBlock<float>& block = tree.triangles[ahead / kBlockLanes];
-        for (std::size_t c = 0; c < 3; ++c) {
-            for (std::size_t a = 0; a < 3; ++a) {
-                corners[c][a][i] = block.vertices[c][a][ahead % kBlockLanes];
-            }
+/// The rays of a group for which a triangle waits, a bit each.
+HWY_INLINE std::uint32_t waiting_rays(const Packet& p, std::size_t group) {
+    const hn::RebindToUnsigned<Packet::D> du;
+    const auto ahead = hn::Load(du, p.ahead + group * Packet::kLanes);
+    return bits_of(du, hn::Ne(ahead, hn::Set(du, Packet::kNoTriangle)));
+}
+
+/// The corners of the triangles that wait for a group's rays: corner, axis, ray. Neighbours mostly
+/// wait for the same one. Lanes that none waits for have whatever comes first.
+struct CornersOfGroup {
+    alignas(64) float at[3][3][Packet::kLanes];
+};
+HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std::size_t group,
+                               std::uint32_t waiting, CornersOfGroup& corners) {
+    const Packet::D d;
+    const hn::RebindToUnsigned<Packet::D> du;
+    const auto ahead = hn::Load(du, p.ahead + group * Packet::kLanes);
+    hn::Vec<Packet::D> c[3][3];
+    const auto each = [&](auto what) HWY_ATTR {
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) what(i, axis);
         }
+    };
+    bool some = false;
+    while (waiting != 0) {
+        const std::size_t ray =
+            group * Packet::kLanes + hwy::Num0BitsBelowLS1Bit_Nonzero32(waiting);
+        const std::uint32_t one = p.ahead[ray];
+        const TriangleBlock<float>& block = tree.triangles[one / kBlockLanes];
+        const std::size_t lane = one % kBlockLanes;
+        const auto same = hn::Eq(ahead, hn::Set(du, one));
+        waiting &= ~bits_of(du, same);
+        if (some) {
+            const auto mask = hn::RebindMask(d, same);
+            each([&](std::size_t i, std::size_t axis) HWY_ATTR {
+                c[i][axis] =
+                    hn::IfThenElse(mask, hn::Set(d, block.vertices[i][axis][lane]), c[i][axis]);
+            });
+        } else {
+            each([&](std::size_t i, std::size_t axis)
+                     HWY_ATTR { c[i][axis] = hn::Set(d, block.vertices[i][axis][lane]); });
+        }
+        some = true;
     }
+    each([&](std::size_t i, std::size_t axis)
+             HWY_ATTR { hn::Store(c[i][axis], d, corners.at[i][axis]); });
+}
+
+/// settle() of all rays: the same arithmetic, a lane each. Every lane of a group is computed, those
+/// that no triangle waits for with that of another ray.
+HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
     using D = hn::CappedTag<double, 8>;
     using V = hn::Vec<D>;
     const D d;
     const hn::Rebind<float, D> df;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
+    std::uint32_t waiting = 0;
     struct Vectors {
         V x, y, z;
     };
@@ -118,18 +153,32 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
     const auto product = [](const Vectors& a, const Vectors& b) HWY_ATTR {
         return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
     };
+    CornersOfGroup corners;
     for (std::size_t at = 0; at < p.count; at += kLanes) {
-        const auto load = [&](const float(*rows)[kPacketRays]) HWY_ATTR {
-            return Vectors{hn::PromoteTo(d, hn::Load(df, rows[0] + at)),
-                           hn::PromoteTo(d, hn::Load(df, rows[1] + at)),
-                           hn::PromoteTo(d, hn::Load(df, rows[2] + at))};
+        const std::size_t group = at / Packet::kLanes;
+        const std::size_t in_group = at % Packet::kLanes;
+        if (in_group == 0) {
+            waiting = waiting_rays(p, group);
+            if (waiting != 0) gather_corners(tree, p, group, waiting, corners);
+        }
+        if ((waiting >> in_group & ((1U << kLanes) - 1)) == 0) continue;
+        const auto widened = [&](const float* x, const float* y, const float* z) HWY_ATTR {
+            return Vectors{hn::PromoteTo(d, hn::Load(df, x)), hn::PromoteTo(d, hn::Load(df, y)),
+                           hn::PromoteTo(d, hn::Load(df, z))};
+        };
+        const auto of_ray = [&](const float(*rows)[kPacketRays]) HWY_ATTR {
+            return widened(rows[0] + at, rows[1] + at, rows[2] + at);
+        };
+        const auto corner = [&](std::size_t c) HWY_ATTR {
+            const auto& rows = corners.at[c];
+            return widened(rows[0] + in_group, rows[1] + in_group, rows[2] + in_group);
         };
         V x[3], y[3];
         const auto sx = hn::Load(df, p.sx + at);
         const auto sy = hn::Load(df, p.sy + at);
         for (std::size_t c = 0; c < 3; ++c) {
             const auto relative = [&](std::size_t axis) HWY_ATTR {
-                return hn::Sub(hn::Load(df, corners[c][axis] + at),
+                return hn::Sub(hn::Load(df, corners.at[c][axis] + in_group),
                                hn::Load(df, p.origin[axis] + at));
             };
             const auto z = relative(p.kz);
@@ -140,29 +189,30 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
         const V v = difference(x[0], y[2], y[0], x[2]);
         const V w = difference(x[1], y[0], y[1], x[0]);
         const V det = hn::Add(hn::Add(u, v), w);
-        const Vectors p0 = load(corners[0]);
-        const Vectors a = minus(load(corners[1]), p0);
-        const Vectors b = minus(load(corners[2]), p0);
+        const Vectors p0 = corner(0);
+        const Vectors a = minus(corner(1), p0);
+        const Vectors b = minus(corner(2), p0);
         const Vectors normal{difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
                              difference(a.x, b.y, a.y, b.x)};
-        const Vectors direction = load(p.direction);
+        const Vectors direction = of_ray(p.direction);
         const V along = product(normal, direction);
-        const V t = hn::Div(product(normal, minus(p0, load(p.origin))), along);
+        const V t = hn::Div(product(normal, minus(p0, of_ray(p.origin))), along);
         alignas(64) float ts[kLanes], us[kLanes], vs[kLanes];
         hn::Store(hn::DemoteTo(df, t), df, ts);
         hn::Store(hn::DemoteTo(df, hn::Div(v, det)), df, us);
         hn::Store(hn::DemoteTo(df, hn::Div(w, det)), df, vs);
         const std::uint32_t edge_on = bits_of(d, hn::Eq(along, hn::Zero(d)));
-        for (std::size_t i = 0; i < kLanes && at + i < p.count; ++i) {
+        for (std::uint32_t left = waiting >> in_group & ((1U << kLanes) - 1); left != 0;
+             left &= left - 1) {
+            const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
             const std::size_t ray = at + i;
-            if (p.ahead[ray] == Packet::kNoTriangle) continue;
             if ((edge_on >> i & 1) != 0) {
                 settle(tree, p, ray);
                 continue;
             }
             const std::uint32_t ahead = p.ahead[ray];
             const TriangleBlock<float>& block = tree.triangles[ahead / kBlockLanes];
-            const Span<float> span{p.ahead_near[ray], p.bound[ray]};
+            const Span<float> span{p.least[ray], p.bound[ray]};
             p.best[ray] = {clamp_to(span, ts[i]), block.object[ahead % kBlockLanes],
                            block.face[ahead % kBlockLanes], us[i], vs[i]};
         }

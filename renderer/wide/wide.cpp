@@ -7,7 +7,10 @@
 #define HWY_TARGET_INCLUDE "renderer/wide/wide.cpp"
 #include <hwy/foreach_target.h>
 // Behind foreach_target.h, as Highway wants it.
+#include "renderer/wide/single-inl.hpp"
+#if HWY_TARGET != HWY_SCALAR
 #include "renderer/wide/packet_walk-inl.hpp"
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
@@ -19,6 +22,13 @@ void search_singly(const WideQuery<T>& q, std::size_t first, std::size_t count, 
                         counters);
 }
 
+#if HWY_TARGET == HWY_SCALAR
+/// With one lane there is nothing that packets could share.
+template <bool kAny>
+void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& counters) {
+    search_singly<kAny>(q, 0, q.count, hits, counters);
+}
+#else
 template <bool kAny>
 void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& counters) {
     Packet packet;
@@ -44,6 +54,7 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
         if (kAny && !packet.stayed_together()) pause = kPause;
     }
 }
+#endif
 
 void search_float(const WideQuery<float>& q, Hit<float>* hits, Counters& counters) {
     if (q.coherent) {
