@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "renderer/accel/build_kernels.hpp"
+#include "renderer/accel/coarse_split.hpp"
 #include "renderer/accel/wide_tree.hpp"
 
 namespace cobble::renderer {
@@ -53,7 +54,7 @@ class BinaryBuilder {
 
     BinaryTree<T> run() {
         const std::uint32_t most = std::max(all_ / kShares, kSmallSubtree);
-        tree_.nodes.resize(1);
+        std::vector<BinaryNode<T>> top(1);
         std::vector<Task<T>> big = {
             {0, 0, all_, 0, false, mixed_kinds(items_, all_), measure_items(items_, all_)}};
         std::vector<Task<T>> small;
@@ -62,55 +63,124 @@ class BinaryBuilder {
             big.pop_back();
             if (task.count <= most) {
                 small.push_back(task);
-            } else {
-                halve(tree_.nodes, task, big);
+                continue;
             }
+            const auto child = static_cast<std::uint32_t>(top.size());
+            const auto make = [&top](std::size_t more) {
+                top.resize(top.size() + more);
+                return top.data();
+            };
+            split_further(make, task, child, big);
         }
-        // Each on its own; together they are put in the order in which they were found.
-        std::vector<std::vector<BinaryNode<T>>> parts(small.size());
-        control_.for_each(small.size(), [&](std::size_t i) { parts[i] = build(small[i]); });
-        for (std::size_t i = 0; i < small.size(); ++i) append(parts[i], small[i].node);
-        return std::move(tree_);
+        BinaryTree<T> tree;
+        tree.top = static_cast<std::uint32_t>(top.size());
+        // A subtree of n items has at most 2 n - 1 nodes. Most have less than a third of that, and
+        // what nobody writes costs nothing.
+        tree.all = tree.top + 2 * all_;
+        tree.nodes = std::make_unique_for_overwrite<BinaryNode<T>[]>(tree.all);
+        std::copy(top.begin(), top.end(), tree.nodes.get());
+        tree.subtrees.resize(small.size());
+        control_.for_each(small.size(), [&](std::size_t i) {
+            const std::uint32_t begin = tree.top + 2 * small[i].first;
+            tree.subtrees[i] = {begin, build(tree.nodes.get(), small[i], begin)};
+        });
+        for (const auto& range : tree.subtrees) tree.leaves += (range.end - range.begin) / 2 + 1;
+        return tree;
     }
 
   private:
-    using Nodes = std::vector<BinaryNode<T>>;
+    /// Builds what is below a node that has its place, from `end` on. Gives the new end.
+    std::uint32_t build(BinaryNode<T>* nodes, const Task<T>& root, std::uint32_t end) {
+        std::vector<Task<T>> tasks = {root};
+        while (!tasks.empty() && !control_.stopped()) {
+            const Task<T> task = tasks.back();
+            tasks.pop_back();
+            const auto make = [&](std::size_t more) {
+                end += static_cast<std::uint32_t>(more);
+                return nodes;
+            };
+            split_further(make, task, end, tasks);
+        }
+        return end;
+    }
 
-    /// Splits one node, and notes its halves to be split.
-    void halve(Nodes& nodes, const Task<T>& task, std::vector<Task<T>>& tasks) {
-        nodes[task.node] = {task.extents.box.box(), 0, task.first, task.count};
+    /// Splits a node, and notes what it was split into, whose nodes are from `child` on. make(n)
+    /// gives all nodes, with room for n more; called once, unless it is a leaf.
+    template <typename Make>
+    void split_further(const Make& make, const Task<T>& task, std::uint32_t child,
+                       std::vector<Task<T>>& tasks) {
         BuildItem<T>* const items = place(task);
-        const PrimitiveKind kind = items[0].kind();
-        if (task.count == 1 || (!task.mixed && task.count <= slot_capacity(kind))) {
+        if (task.count == 1 || (!task.mixed && task.count <= slot_capacity(items[0].kind()))) {
+            set(make(0)[task.node], task.extents, task.first, task.count);
             if (task.elsewhere) std::copy_n(items, task.count, items_ + task.first);
             return;
         }
+        if (task.count >= kManyItems && task.depth < kHalvingDepth) {
+            const auto levels =
+                split_coarsely(items, task.count, task.extents, kHalvingDepth - task.depth,
+                               place(task, !task.elsewhere));
+            if (levels.size() > 1) {
+                note(make(levels.size() - 1), task, child, levels, tasks);
+                return;
+            }
+        }
         bool elsewhere = task.elsewhere;
         const Halves<T> halves = split(items, task, elsewhere);
+        set(make(2)[task.node], task.extents, child, 0);
         const std::uint32_t left = halves.left_count;
-        const auto child = static_cast<std::uint32_t>(nodes.size());
-        nodes[task.node].left = child;
-        nodes.resize(nodes.size() + 2);
-        const auto note = [&](std::uint32_t node, std::uint32_t first, std::uint32_t count,
-                              const ItemExtents<T>& extents) {
-            Task<T> half{node, first, count, task.depth + 1, elsewhere, false, extents};
-            half.mixed = task.mixed && mixed_kinds(place(half), count);
-            tasks.push_back(half);
-        };
-        note(child + 1, task.first + left, task.count - left, halves.right);
-        note(child, task.first, left, halves.left);
+        const std::uint32_t depth = task.depth + 1;
+        note({child + 1, task.first + left, task.count - left, depth, elsewhere, task.mixed,
+              halves.right},
+             tasks);
+        note({child, task.first, left, depth, elsewhere, task.mixed, halves.left}, tasks);
+    }
+
+    void note(BinaryNode<T>* nodes, const Task<T>& task, std::uint32_t child,
+              const std::vector<CoarseNode<T>>& levels, std::vector<Task<T>>& tasks) {
+        // The first one is taken last from the end.
+        for (std::size_t i = levels.size(); i > 0; --i) {
+            const CoarseNode<T>& level = levels[i - 1];
+            const std::uint32_t node =
+                i == 1 ? task.node : child + static_cast<std::uint32_t>(i) - 2;
+            if (level.left > 0) {
+                set(nodes[node], level.extents, child + level.left - 1, 0);
+            } else {
+                note({node, task.first + level.first, level.count, task.depth + level.depth,
+                      !task.elsewhere, task.mixed, level.extents},
+                     tasks);
+            }
+        }
+    }
+
+    /// Of a part of what was mixed it is not yet known whether it is.
+    void note(const Task<T>& task, std::vector<Task<T>>& tasks) {
+        tasks.push_back(task);
+        tasks.back().mixed = task.mixed && mixed_kinds(place(task), task.count);
+    }
+
+    static void set(BinaryNode<T>& node, const ItemExtents<T>& extents, std::uint32_t at,
+                    std::uint32_t count) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            node.lo[a] = extents.box.lo[a];
+            node.hi[a] = -extents.box.minus_hi[a];
+        }
+        node.at = at;
+        node.count = count;
     }
 
     [[nodiscard]] BuildItem<T>* place(const Task<T>& task) const {
-        return (task.elsewhere ? others_.get() : items_) + task.first;
+        return place(task, task.elsewhere);
+    }
+    [[nodiscard]] BuildItem<T>* place(const Task<T>& task, bool elsewhere) const {
+        return (elsewhere ? others_.get() : items_) + task.first;
     }
 
     /// Changes `elsewhere` if the halves are not where the whole was.
     Halves<T> split(BuildItem<T>* items, const Task<T>& task, bool& elsewhere) {
         if (task.depth < kHalvingDepth) {
-            BuildItem<T>* const to = (elsewhere ? items_ : others_.get()) + task.first;
-            const Halves<T> halves = split_items(items, task.count, task.extents,
-                                                 task.count < kFewItems ? kFewBins : kMostBins, to);
+            const Halves<T> halves =
+                split_items(items, task.count, task.extents,
+                            task.count < kFewItems ? kFewBins : kMostBins, place(task, !elsewhere));
             if (halves.left_count > 0) {
                 elsewhere = !elsewhere;
                 return halves;
@@ -127,40 +197,11 @@ class BinaryBuilder {
         return {left, measure_items(items, left), measure_items(items + left, task.count - left)};
     }
 
-    Nodes build(const Task<T>& root) {
-        Nodes nodes(1);
-        nodes.reserve(root.count);
-        std::vector<Task<T>> tasks = {root};
-        tasks[0].node = 0;
-        while (!tasks.empty() && !control_.stopped()) {
-            const Task<T> task = tasks.back();
-            tasks.pop_back();
-            halve(nodes, task, tasks);
-        }
-        return nodes;
-    }
-
-    /// Puts a subtree's root in its place, and its other nodes behind all that are there.
-    void append(const Nodes& nodes, std::uint32_t place) {
-        const auto shift = static_cast<std::uint32_t>(tree_.nodes.size()) - 1;
-        tree_.subtrees.push_back(shift + 1);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            BinaryNode<T> node = nodes[i];
-            if (!node.leaf()) node.left += shift;
-            if (i == 0) {
-                tree_.nodes[place] = node;
-            } else {
-                tree_.nodes.push_back(node);
-            }
-        }
-    }
-
     BuildItem<T>* items_;
     std::uint32_t all_;
     /// As many as all: a split moves items from one array to the other, and leaves move them home.
     std::unique_ptr<BuildItem<T>[]> others_;
     const BuildControl& control_;
-    BinaryTree<T> tree_;
 };
 
 }  // namespace

@@ -89,6 +89,11 @@ HWY_INLINE BinSplit best_split(const Bins<float>& bins, std::uint32_t count, flo
     return plain::best_split(bins, count, unit);
 }
 
+void sort(const BuildItem<float>* items, std::uint32_t count, const Binning<float>& binning,
+          const Cells<float>& cells) {
+    plain::sort_into_cells(items, count, binning, cells);
+}
+
 #else
 
 /// A number for each axis.
@@ -118,18 +123,29 @@ struct BinScale {
         scale = hn::LoadU(d, binning.per_unit);
         last = hn::Set(d, binning.last);
     }
-    /// The bins along all axes, in bytes of Bins::counts. NaN goes to the last one, as in Binning.
-    HWY_INLINE void find(const Extent<float>& item, std::uint32_t* bytes) const {
+    /// Along all axes, in [1, 2). NaN goes to the last bin, as in Binning.
+    HWY_INLINE hn::Vec<hn::RebindToUnsigned<AxisLanes> > bits(const Extent<float>& item) const {
         const AxisLanes d;
         const hn::RebindToUnsigned<AxisLanes> du;
         const Axes middle = hn::Sub(hn::Load(d, item.lo), hn::Load(d, item.minus_hi));
         const Axes at = hn::Add(hn::Mul(hn::Sub(middle, from), scale), hn::Set(d, 1.0F));
-        const Axes place = hn::IfThenElse(hn::Lt(at, last), at, last);
+        return hn::BitCast(du, hn::IfThenElse(hn::Lt(at, last), at, last));
+    }
+    /// The bins, in bytes of Bins::counts.
+    HWY_INLINE void find(const Extent<float>& item, std::uint32_t* bytes) const {
+        const hn::RebindToUnsigned<AxisLanes> du;
         // Four bits behind the point, and as many zeros behind them.
         constexpr int kShift = 23 - 4 - 4;
         static_assert(kMostBins == 1U << 4 && sizeof(Bins<float>::counts[0]) == 1U << 4);
-        const auto bits = hn::ShiftRight<kShift>(hn::BitCast(du, place));
-        hn::Store(hn::And(bits, hn::Set(du, 0xf0U)), du, bytes);
+        hn::Store(hn::And(hn::ShiftRight<kShift>(bits(item)), hn::Set(du, 0xf0U)), du, bytes);
+    }
+    /// The cell of a grid.
+    [[nodiscard]] HWY_INLINE std::uint32_t cell(const Extent<float>& item) const {
+        const hn::RebindToUnsigned<AxisLanes> du;
+        alignas(16) std::uint32_t along[4];
+        const auto places = hn::ShiftRight<23 - static_cast<int>(kCellBits)>(bits(item));
+        hn::Store(hn::And(places, hn::Set(du, kCellsAlong - 1)), du, along);
+        return along[0] | along[1] << kCellBits | along[2] << (2 * kCellBits);
     }
 };
 
@@ -192,6 +208,29 @@ HWY_INLINE Axes sum_of_corners(const Box (&parts)[kParts]) {
         return hn::Add(hn::LowerHalf(half, parts[0]), hn::UpperHalf(half, parts[0]));
     } else {
         return hn::Add(parts[0], parts[1]);
+    }
+}
+
+/// As plain::sort_into_cells.
+void sort(const BuildItem<float>* items, std::uint32_t count, const Binning<float>& binning,
+          const Cells<float>& cells) {
+    const BinScale scale(binning);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Extent<float>& item = items[i].extent();
+        const std::uint32_t cell = scale.cell(item);
+        cells.cell_of[i] = static_cast<std::uint16_t>(cell);
+        const bool first = cells.counts[cell] == 0;
+        cells.counts[cell] += 1;
+        float* const box = numbers(cells.extents[cell].box);
+        float* const middles = numbers(cells.extents[cell].middles);
+        const BoxLanes d;
+        for (std::size_t part = 0; part < kBoxParts; ++part) {
+            const std::size_t at = part * kBoxStep;
+            const Box own = load(item, part);
+            const Box twice = middle_twice(item, part);
+            hn::Store(first ? own : hn::Min(hn::Load(d, box + at), own), d, box + at);
+            hn::Store(first ? twice : hn::Min(hn::Load(d, middles + at), twice), d, middles + at);
+        }
     }
 }
 
@@ -366,12 +405,20 @@ namespace cobble::renderer {
 
 HWY_EXPORT(measure);
 HWY_EXPORT(split);
+HWY_EXPORT(sort);
 
 template <>
 ItemExtents<float> measure_items(const BuildItem<float>* items, std::size_t count) {
     ItemExtents<float> extents;
     HWY_DYNAMIC_DISPATCH(measure)(items, count, extents);
     return extents;
+}
+
+template <>
+void sort_into_cells(const BuildItem<float>* items, std::uint32_t count,
+                     const Extent<float>& middles, const Cells<float>& cells) {
+    const Binning<float> binning(middles, kMostBins);
+    HWY_DYNAMIC_DISPATCH(sort)(items, count, binning, cells);
 }
 
 template <>

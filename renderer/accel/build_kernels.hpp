@@ -58,8 +58,14 @@ struct Binning {
     /// Bins below `bin` are of places below this.
     [[nodiscard]] static T begin(std::uint32_t bin) { return static_cast<T>(bin) / kMostBins + 1; }
     [[nodiscard]] std::uint32_t bin(const Extent<T>& item, std::size_t axis) const {
+        return part_of(item, axis, kMostBins);
+    }
+    /// The same in `parts` of [1, 2), a power of two of at least kMostBins, if it is all of it that
+    /// is binned.
+    [[nodiscard]] std::uint32_t part_of(const Extent<T>& item, std::size_t axis,
+                                        std::uint32_t parts) const {
         const T at = place(item, axis);
-        return static_cast<std::uint32_t>(((at < last ? at : last) - 1) * kMostBins);
+        return static_cast<std::uint32_t>(((at < last ? at : last) - 1) * static_cast<T>(parts));
     }
 };
 static_assert(kMostBins == 16);
@@ -111,6 +117,22 @@ template <typename T>
 Halves<T> split_items(const BuildItem<T>* items, std::uint32_t count, const ItemExtents<T>& extents,
                       std::uint32_t bins, BuildItem<T>* to);
 
+/// A grid over the middles of items: so many cells along each axis, numbered by x, then y, then z.
+inline constexpr std::uint32_t kCellBits = 5;
+inline constexpr std::uint32_t kCellsAlong = 1U << kCellBits;
+inline constexpr std::uint32_t kCells = 1U << (3 * kCellBits);
+
+template <typename T>
+struct Cells {
+    ItemExtents<T>* extents;  ///< kCells; none is set of a cell without items
+    std::uint32_t* counts;    ///< kCells, 0 at first
+    std::uint16_t* cell_of;   ///< each item's
+};
+
+template <typename T>
+void sort_into_cells(const BuildItem<T>* items, std::uint32_t count, const Extent<T>& middles,
+                     const Cells<T>& cells);
+
 // In float by the best instruction set there is; the same bits on each.
 template <>
 ItemExtents<float> measure_items(const BuildItem<float>* items, std::size_t count);
@@ -118,6 +140,10 @@ template <>
 Halves<float> split_items(const BuildItem<float>* items, std::uint32_t count,
                           const ItemExtents<float>& extents, std::uint32_t bins,
                           BuildItem<float>* to);
+
+template <>
+void sort_into_cells(const BuildItem<float>* items, std::uint32_t count,
+                     const Extent<float>& middles, const Cells<float>& cells);
 
 /// One number after the other: for double, and where there is nothing better.
 namespace plain {
@@ -138,6 +164,22 @@ void put(const BuildItem<T>& item, const Binning<T>& binning, Bins<T>& bins) {
         const std::uint32_t b = binning.bin(item.extent(), axis);
         bins.extents[b][axis].add(item.extent());
         bins.counts[b][axis] += 1;
+    }
+}
+
+template <typename T>
+void sort_into_cells(const BuildItem<T>* items, std::uint32_t count, const Binning<T>& binning,
+                     const Cells<T>& cells) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Extent<T>& item = items[i].extent();
+        std::uint32_t cell = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            cell |= binning.part_of(item, axis, kCellsAlong) << (axis * kCellBits);
+        }
+        cells.cell_of[i] = static_cast<std::uint16_t>(cell);
+        if (cells.counts[cell] == 0) cells.extents[cell] = {};
+        cells.counts[cell] += 1;
+        cells.extents[cell].add(item);
     }
 }
 
@@ -201,6 +243,12 @@ void part(const BuildItem<T>* items, std::uint32_t count, const Binning<T>& binn
 }
 
 }  // namespace plain
+
+template <typename T>
+void sort_into_cells(const BuildItem<T>* items, std::uint32_t count, const Extent<T>& middles,
+                     const Cells<T>& cells) {
+    plain::sort_into_cells(items, count, Binning<T>(middles, kMostBins), cells);
+}
 
 template <typename T>
 Halves<T> split_items(const BuildItem<T>* items, std::uint32_t count, const ItemExtents<T>& extents,

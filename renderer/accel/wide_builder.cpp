@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "renderer/accel/binary_builder.hpp"
@@ -20,17 +21,21 @@ template <typename T>
 class Collapse {
   public:
     Collapse(const BinaryTree<T>& tree, const std::vector<BuildItem<T>>& items)
-        : tree_(tree), binary_(tree.nodes), items_(items), plans_(tree.nodes.size()) {}
+        : tree_(tree),
+          binary_(tree.nodes.get()),
+          items_(items),
+          plans_(std::make_unique_for_overwrite<Plan[]>(tree.all / 2)) {}
 
     WideBuild<T> run(const BuildControl& control) {
         // Subtrees know nothing of each other; what is above them comes last, from below.
-        const auto& starts = tree_.subtrees;
-        control.for_each(starts.size(), [&](std::size_t i) {
-            const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : binary_.size();
-            for (std::size_t at = end; at > starts[i]; --at) plan(at - 1);
+        control.for_each(tree_.subtrees.size(), [&](std::size_t i) {
+            const auto range = tree_.subtrees[i];
+            for (std::uint32_t at = range.end; at > range.begin; --at) plan(binary_[at - 1]);
         });
-        for (std::size_t at = starts.front(); at > 0; --at) plan(at - 1);
-        out_.bounds = binary_[0].bounds;
+        for (std::uint32_t at = tree_.top; at > 0; --at) plan(binary_[at - 1]);
+        out_.bounds = binary_[0].bounds();
+        // Nodes have some six children; less is reserved than was written meanwhile.
+        out_.nodes.reserve(tree_.leaves / 4 + 1);
         out_.nodes.resize(1);
         pending_ = {{0, 0}};
         while (!pending_.empty()) {
@@ -57,23 +62,37 @@ class Collapse {
         std::uint8_t split;  ///< of the 8 slots of its own node
     };
 
-    void plan(std::size_t at) {
-        const BinaryNode<T>& node = binary_[at];
-        Plan& own = plans_[at];
-        const auto area = static_cast<float>(half_area(node.bounds));
+    /// A leaf costs as much whatever it is given.
+    static std::array<float, kWidth> leaf_cost(const BinaryNode<T>& node) {
+        std::array<float, kWidth> cost;
+        cost.fill(static_cast<float>(half_area(node.bounds())));
+        return cost;
+    }
+    /// Not of a leaf.
+    Plan& plan_of(const BinaryNode<T>& node) { return plans_[node.at / 2]; }
+
+    void plan(const BinaryNode<T>& node) {
+        if (node.leaf()) return;
+        Plan& own = plan_of(node);
+        const auto area = static_cast<float>(half_area(node.bounds()));
         own.left = {};
-        own.split = 0;
-        if (node.leaf()) {
-            own.cost.fill(area);
-            return;
-        }
-        const Plan& left = plans_[node.left];
-        const Plan& right = plans_[node.left + 1];
+        const BinaryNode<T>& first = binary_[node.at];
+        const BinaryNode<T>& second = binary_[node.at + 1];
+        const std::array<float, kWidth> left =
+            first.leaf() ? leaf_cost(first) : plan_of(first).cost;
+        const std::array<float, kWidth> right =
+            second.leaf() ? leaf_cost(second) : plan_of(second).cost;
         for (std::size_t slots_given = 2; slots_given <= kWidth; ++slots_given) {
-            float best = std::numeric_limits<float>::infinity();
-            for (std::size_t k = 1; k < slots_given; ++k) {
-                const float cost = left.cost[k - 1] + right.cost[slots_given - k - 1];
-                if (cost < best || own.left[slots_given - 1] == 0) {
+            // A leaf takes one, and nothing costs less for being given less.
+            const bool one_leaf = first.leaf() || second.leaf();
+            std::size_t k = one_leaf && !first.leaf() ? slots_given - 1 : 1;
+            const std::size_t last = one_leaf ? k : slots_given - 1;
+            float best = left[k - 1] + right[slots_given - k - 1];
+            own.left[slots_given - 1] = static_cast<std::uint8_t>(k);
+            while (k < last) {
+                ++k;
+                const float cost = left[k - 1] + right[slots_given - k - 1];
+                if (cost < best) {
                     best = cost;
                     own.left[slots_given - 1] = static_cast<std::uint8_t>(k);
                 }
@@ -102,17 +121,21 @@ class Collapse {
         std::array<Share, kWidth> shares;
         std::size_t waiting = 0;
         const auto halve = [&](std::uint32_t node, std::size_t to_left, std::size_t of) {
-            shares[waiting++] = {binary_[node].left + 1, of - to_left};
-            shares[waiting++] = {binary_[node].left, to_left};
+            shares[waiting++] = {binary_[node].at + 1, of - to_left};
+            shares[waiting++] = {binary_[node].at, to_left};
         };
         if (binary_[at.binary].leaf()) {
             children[count++] = at.binary;
         } else {
-            halve(at.binary, plans_[at.binary].split, kWidth);
+            halve(at.binary, plan_of(binary_[at.binary]).split, kWidth);
         }
         while (waiting > 0) {
             Share share = shares[--waiting];
-            const Plan& plan = plans_[share.binary];
+            if (binary_[share.binary].leaf()) {
+                children[count++] = share.binary;
+                continue;
+            }
+            const Plan& plan = plan_of(binary_[share.binary]);
             while (share.slots > 1 && plan.left[share.slots - 1] == 0) --share.slots;
             if (share.slots == 1) {
                 children[count++] = share.binary;
@@ -123,7 +146,7 @@ class Collapse {
         WideNode<T> node;
         const BoxBounds<T> empty;
         for (std::size_t i = 0; i < kWidth; ++i) {
-            const BoxBounds<T>& b = i < count ? binary_[children[i]].bounds : empty;
+            const BoxBounds<T> b = i < count ? binary_[children[i]].bounds() : empty;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 node.bounds[axis][i] = b.lo[axis];
                 node.bounds[3 + axis][i] = b.hi[axis];
@@ -141,22 +164,22 @@ class Collapse {
             out_.nodes.resize(wide + std::size_t{1});
             return ChildRef::inner(wide);
         }
-        const PrimitiveKind kind = items_[from.first].kind();
-        std::uint32_t index = items_[from.first].index();
+        const PrimitiveKind kind = items_[from.at].kind();
+        std::uint32_t index = items_[from.at].index();
         if (kind == PrimitiveKind::kTriangle) {
             index = static_cast<std::uint32_t>(out_.triangle_blocks.size());
-            out_.triangle_blocks.push_back({from.first, from.count});
+            out_.triangle_blocks.push_back({from.at, from.count});
         } else if (kind == PrimitiveKind::kSphere) {
             index = static_cast<std::uint32_t>(out_.sphere_blocks.size());
-            out_.sphere_blocks.push_back({from.first, from.count});
+            out_.sphere_blocks.push_back({from.at, from.count});
         }
         return ChildRef::leaf(kind, index, from.count);
     }
 
     const BinaryTree<T>& tree_;
-    const std::vector<BinaryNode<T>>& binary_;
+    const BinaryNode<T>* binary_;
     const std::vector<BuildItem<T>>& items_;
-    std::vector<Plan> plans_;
+    std::unique_ptr<Plan[]> plans_;  ///< a pair of children each
     WideBuild<T> out_;
     std::vector<Pending> pending_;
 };

@@ -71,6 +71,7 @@ class Preparation {
     }
 
     PreparedScene<T> run() {
+        reserve();
         for (std::uint32_t i = 0; i < scene_.objects.size() && !cancelled(); ++i) {
             const ir::Object& object = scene_.objects[i];
             const ir::ObjectId id{i};
@@ -88,6 +89,28 @@ class Preparation {
     }
 
   private:
+    /// Arrays of millions that grow as they are filled would be moved again and again.
+    void reserve() {
+        std::size_t all = 0;
+        std::size_t triangles = 0;
+        std::size_t spheres = 0;
+        std::size_t boxes = 0;
+        for (const ir::Object& object : scene_.objects) {
+            const bool placed = object.placement.count > 0;
+            const bool mesh = object.kind == ir::ShapeKind::kMesh && !placed;
+            const std::size_t things = mesh ? scene_.meshes[object.shape].faces.size() : 1;
+            all += things;
+            if (placed) continue;
+            if (mesh || object.kind == ir::ShapeKind::kTriangle) triangles += things;
+            if (object.kind == ir::ShapeKind::kSphere) spheres += 1;
+            if (object.kind == ir::ShapeKind::kBox) boxes += 1;
+        }
+        items_.reserve(all);
+        geometry().triangles.reserve(triangles);
+        geometry().spheres.reserve(spheres);
+        geometry().boxes.reserve(boxes);
+    }
+
     Geometry<T>& geometry() { return out_.geometry; }
     [[nodiscard]] const PrepareOptions& options() const { return out_.options; }
     [[nodiscard]] bool cancelled() const { return options().build.stopped(); }
