@@ -2,6 +2,7 @@
 #include "renderer/integrator/batch_shading.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 
 #include "renderer/intersect/surface_forms.hpp"
@@ -131,16 +132,12 @@ void BatchShading<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
 template <typename T>
 std::size_t BatchShading<T>::slot_of(const Hit<T>& hit) {
     // Neighbouring objects and faces get places of their own.
-    const std::size_t at = (hit.object.value * 13 + hit.face) % kRecent;
-    if (recent_[at] >= 0) {
-        const auto slot = static_cast<std::size_t>(recent_[at]);
-        if (slots_->object[slot] == hit.object.value && slots_->face[slot] == hit.face) {
-            return slot;
-        }
+    Recent& recent = recent_[(hit.object.value * 13 + hit.face) % kRecent];
+    if (recent.object != hit.object || recent.face != hit.face) {
+        recent = {hit.object, hit.face, static_cast<std::uint32_t>(slot_count_)};
+        fill_slot(slot_count_++, hit);
     }
-    recent_[at] = static_cast<std::int16_t>(slot_count_);
-    fill_slot(slot_count_, hit);
-    return slot_count_++;
+    return recent.slot;
 }
 
 template <typename T>
@@ -154,43 +151,42 @@ void BatchShading<T>::place(std::size_t lane, std::size_t slot, std::size_t entr
     hits_->v[entry] = hit.v;
 }
 
-/// Hits in the order of the batch; true if all have one form.
+/// Hits in the order of the batch; the answer has a bit for each form among them.
 template <typename T>
-bool BatchShading<T>::place_in_order() {
+std::uint32_t BatchShading<T>::place_in_order() {
+    std::uint32_t forms = 0;
     std::size_t entry = 0;
-    std::size_t slot = 0;
-    ir::ObjectId object;
-    std::uint32_t face = 0;
-    form_counts_.fill(0);
     for (std::size_t lane = 0; lane < given_.size(); ++lane) {
         const Hit<T>& hit = given_[lane];
         entry_[lane] = -1;
         if (!hit) continue;
-        if (hit.object != object || hit.face != face) {
-            slot = slot_of(hit);
-            object = hit.object;
-            face = hit.face;
-        }
-        ++form_counts_[static_cast<std::size_t>(form_[slot])];
+        const std::size_t slot = slot_of(hit);
+        forms |= 1U << static_cast<std::uint32_t>(form_[slot]);
         place(lane, slot, entry++);
     }
     count_ = entry;
-    return std::count(form_counts_.begin(), form_counts_.end(), 0U) + 1 >=
-           static_cast<std::ptrdiff_t>(kForms);
+    return forms;
 }
 
-/// Those of one form side by side.
+/// Where each form begins, those of one side by side.
 template <typename T>
-void BatchShading<T>::place_by_form(const FormBegins& begins) {
+auto BatchShading<T>::place_by_form() -> FormBegins {
     std::array<std::int32_t, kBatchSize> slots;
     std::copy_n(hits_->slot, count_, slots.begin());
+    const auto form_of_slot = [this](std::int32_t slot) {
+        return static_cast<std::size_t>(form_[static_cast<std::size_t>(slot)]);
+    };
+    FormBegins begins{};
+    for (std::size_t i = 0; i < count_; ++i) ++begins[form_of_slot(slots[i]) + 1];
+    for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] += begins[i];
     auto next = begins;
     std::size_t before = 0;
     for (std::size_t lane = 0; lane < given_.size(); ++lane) {
         if (entry_[lane] < 0) continue;
-        const auto slot = static_cast<std::size_t>(slots[before++]);
-        place(lane, slot, next[static_cast<std::size_t>(form_[slot])]++);
+        const std::int32_t slot = slots[before++];
+        place(lane, static_cast<std::size_t>(slot), next[form_of_slot(slot)]++);
     }
+    return begins;
 }
 
 /// Points at the rays' columns if those are the hits', or makes columns that are.
@@ -252,13 +248,18 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     slot_count_ = 0;
     any_highlight_ = any_scatters_ = any_glass_ = false;
     others_.clear();
-    recent_.fill(-1);
-    const bool one_form = place_in_order();
+    recent_.fill({});
+    const std::uint32_t forms = place_in_order();
+    const bool one_form = std::has_single_bit(forms);
     FormBegins begins{};
-    for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] = begins[i] + form_counts_[i];
+    if (one_form) {
+        const auto form = static_cast<std::size_t>(std::countr_zero(forms));
+        std::fill(begins.begin() + static_cast<std::ptrdiff_t>(form) + 1, begins.end(), count_);
+    } else if (forms != 0) {
+        begins = place_by_form();
+    }
     first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
     lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
-    if (!one_form) place_by_form(begins);
     in_order_ = one_form && count_ == hits.size();
     find_rays();
     for (std::size_t i = 0; i < kForms; ++i) {
@@ -342,29 +343,32 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
     leave_out_below_bent();
     shadow_.clear();
     if (!shadows) {
-        for (std::size_t i = 0; i < lit_; ++i) {
-            if (light_->matters[i] == 0) continue;
-            hits_->light.set(i, hits_->light.at(i) + light_->share.at(i));
-        }
+        loops_->add_light(*hits_, *light_, lit_);
         return;
     }
+    // Looked up once: what is written may be anything, for all that the compiler knows.
+    const LightColumns<T>& answers = *light_;
+    const std::int32_t* const slot_of_entry = hits_->slot;
+    const SurfaceSlots<T>& slots = *slots_;
+    const std::size_t lit = lit_;
+    const Ray<T>* const asked_by = batch_->rays.data();
     std::size_t count = 0;
     std::size_t lane = 0;
     for (const auto& stretch : batch_->stretches) {
         for (; lane < stretch.end; ++lane) {
-            const std::int32_t entry = entry_[lane];
-            const auto i = static_cast<std::size_t>(entry);
-            if (entry < 0 || i >= lit_ || light_->matters[i] == 0) continue;
-            const std::size_t slot = slot_of_entry(entry);
-            // t_min is 0 for good.
+            const auto i = static_cast<std::size_t>(entry_[lane]);
+            // Entries of rays that met nothing are beyond all.
+            if (i >= lit || answers.matters[i] == 0) continue;
+            // Its t_min is 0 for good.
             Ray<T>& ray = shadow_.rays[count];
-            ray.origin = light_->from.at(i);
-            ray.direction = light_->way.at(i);
-            ray.t_max = light_->t_max[i];
-            ray.time = batch_->rays[lane].time;
-            shadow_.excludes[count] = {ir::ObjectId{slots_->object[slot]}, slots_->face[slot],
-                                       light_->outward[i] == 0};
-            asker_[count++] = static_cast<std::uint32_t>(entry);
+            ray.origin = answers.from.at(i);
+            ray.direction = answers.way.at(i);
+            ray.t_max = answers.t_max[i];
+            ray.time = asked_by[lane].time;
+            const auto slot = static_cast<std::size_t>(slot_of_entry[i]);
+            shadow_.excludes[count] = {ir::ObjectId{slots.object[slot]}, slots.face[slot],
+                                       answers.outward[i] == 0};
+            asker_[count++] = static_cast<std::uint32_t>(i);
         }
         shadow_.end_stretch_at(count, stretch.coherence);
     }
@@ -372,12 +376,13 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
 }
 
 template <typename T>
-void BatchShading<T>::add_unhidden(std::span<const std::uint8_t> hidden) {
-    for (std::size_t i = 0; i < hidden.size(); ++i) {
-        if (hidden[i] != 0) continue;
-        const std::size_t entry = asker_[i];
-        hits_->light.set(entry, hits_->light.at(entry) + light_->share.at(entry));
+void BatchShading<T>::add_unhidden(std::span<const Hit<T>> hidden_by) {
+    // Without shadows all has been added.
+    if (hidden_by.empty()) return;
+    for (std::size_t i = 0; i < hidden_by.size(); ++i) {
+        light_->matters[asker_[i]] = hidden_by[i] ? 0 : 1;
     }
+    loops_->add_light(*hits_, *light_, lit_);
 }
 
 template <typename T>

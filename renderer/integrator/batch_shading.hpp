@@ -58,8 +58,8 @@ class BatchShading {
     }
     /// The rays of the last ask().
     RayBatch<T>& shadow() { return shadow_; }
-    /// `hidden`: 1 for each shadow ray that hit something.
-    void add_unhidden(std::span<const std::uint8_t> hidden);
+    /// `hidden_by`: any_hits()' answers to the shadow rays.
+    void add_unhidden(std::span<const Hit<T>> hidden_by);
 
     /// What each ray brings back by itself, by its place in the batch.
     void color(Columns3<T>& colors);
@@ -97,8 +97,8 @@ class BatchShading {
     }
     using FormBegins = std::array<std::size_t, kForms + 1>;
     void place(std::size_t lane, std::size_t slot, std::size_t entry);
-    bool place_in_order();
-    void place_by_form(const FormBegins& begins);
+    std::uint32_t place_in_order();
+    FormBegins place_by_form();
     void find_rays();
     void compute(Form form, std::size_t first, std::size_t end);
     void look_at_other(std::size_t entry);
@@ -127,7 +127,12 @@ class BatchShading {
     std::array<std::uint8_t, kBatchSize> scatters_{};
     /// Slots by a hash of their object and face; the last one with it.
     static constexpr std::size_t kRecent = 64;
-    std::array<std::int16_t, kRecent> recent_{};
+    struct Recent {
+        ir::ObjectId object;
+        std::uint32_t face = 0;
+        std::uint32_t slot = 0;
+    };
+    std::array<Recent, kRecent> recent_{};
 
     // By entry in the columns: those that are lit first.
     std::unique_ptr<SurfaceForms<T>> forms_;
@@ -138,7 +143,6 @@ class BatchShading {
     std::size_t lit_ = 0;
     std::size_t first_other_ = 0;
     std::size_t count_ = 0;
-    std::array<std::size_t, kForms> form_counts_{};
     bool in_order_ = false;  ///< each entry at its ray's place in the batch
     /// The rays of the hits.
     const Columns3<T>* from_ = nullptr;

@@ -49,10 +49,11 @@ class BatchStages {
                 stage_ = Stage::kShadow;
                 break;
             case Stage::kShadow:
-                if (!pace_.any<T>(scene_->geometry, shading_.shadow(), hidden_, counters)) {
+                if (!pace_.any<T>(scene_->geometry, shading_.shadow(), hidden_by_, counters)) {
                     break;
                 }
-                shading_.add_unhidden(std::span(hidden_).first(shading_.shadow().size()));
+                shading_.add_unhidden(
+                    std::span<const Hit<T>>(hidden_by_).first(shading_.shadow().size()));
                 ++light_;
                 stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kColor;
                 break;
@@ -78,7 +79,7 @@ class BatchStages {
     Pace pace_;
     std::array<Hit<T>, kBatchSize> hits_;
     BatchShading<T> shading_;
-    std::array<std::uint8_t, kBatchSize> hidden_{};
+    std::array<Hit<T>, kBatchSize> hidden_by_;  ///< of each shadow ray
     Columns3<T> colors_;
 };
 

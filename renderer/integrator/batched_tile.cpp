@@ -52,7 +52,7 @@ bool BatchedTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
         return of.sampler.draw(Draw::kLight, of.trace.stack.back().path, light);
     };
     while (!work.done()) {
-        if (stop.now()) return false;
+        if (stop.between_stages(work.counters.tests())) return false;
         if (!on_its_way_) {
             gather(work);
         } else if (batch_.step(work.counters, draw)) {

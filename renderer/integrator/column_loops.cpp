@@ -282,6 +282,18 @@ COBBLE_LOOP void ask_without_shadows(const HitColumns<T>& __restrict hits,
 }
 
 template <typename T>
+COBBLE_LOOP void add_light(HitColumns<T>& __restrict hits,
+                           const LightColumns<T>& __restrict answers, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const math::Vec3<T> before = hits.light.at(i);
+        const math::Vec3<T> after = before + answers.share.at(i);
+        const bool arrives = answers.matters[i] != 0;
+        hits.light.set(i, {arrives ? after.x : before.x, arrives ? after.y : before.y,
+                           arrives ? after.z : before.z});
+    }
+}
+
+template <typename T>
 void set_child(ChildColumns<T>& children, std::size_t i, math::Vec3<T> position,
                math::Vec3<T> geometric, T error, math::Vec3<T> direction, math::Vec3<T> weight,
                bool there) {
@@ -347,46 +359,56 @@ HWY_INLINE hn::Vec<D> widened(D d, V v) {
     }
 }
 
-/// Pixels side by side, for the sum of one is a chain of additions: as many as a register holds.
+/// `pixels` pixels of a channel, sample by sample: those of all pixels side by side. Lanes that are
+/// left over repeat the last pixel.
 template <typename T>
-void sum_channel(const T* colors, std::size_t samples, std::size_t pixels, double* sum,
-                 double* rest) {
-    const hn::CappedTag<double, 8> d;
-    const hn::Rebind<T, decltype(d)> of_color;
-    const std::size_t together = hn::Lanes(d);
-    // Sample by sample, those of all pixels side by side.
-    alignas(kColumnAlignment) T turned[8 * kBatchSize];
-    for (std::size_t first = 0; first < pixels; first += together) {
-        for (std::size_t p = 0; p < together; ++p) {
-            // Lanes that are left over repeat the last pixel.
-            const T* of_pixel = colors + (first + p < pixels ? first + p : pixels - 1) * samples;
-            for (std::size_t k = 0; k < samples; ++k) turned[k * together + p] = of_pixel[k];
-        }
-        const auto zero = hn::Zero(d);
-        auto so_far = zero;
-        auto lost = zero;
-        for (std::size_t k = 0; k < samples; ++k) {
-            // CompensatedSum::add() of a sample's colour, which is a sum that began with 0: no
-            // negative zero.
-            const auto color = hn::Load(of_color, turned + k * together);
-            const auto value = hn::Add(zero, widened(d, color));
-            const auto next = hn::Add(so_far, value);
-            const auto added = hn::Sub(next, so_far);
-            lost = hn::Add(lost,
-                           hn::Add(hn::Sub(so_far, hn::Sub(next, added)), hn::Sub(value, added)));
-            so_far = next;
-        }
-        hn::Store(so_far, d, sum + first);
-        hn::Store(lost, d, rest + first);
+void turn(const T* colors, std::size_t samples, std::size_t pixels, std::size_t lanes, T* turned) {
+    for (std::size_t p = 0; p < lanes; ++p) {
+        const T* of_pixel = colors + (p < pixels ? p : pixels - 1) * samples;
+        for (std::size_t k = 0; k < samples; ++k) turned[k * lanes + p] = of_pixel[k];
     }
 }
 
+/// CompensatedSum::add().
+template <class D, class V>
+HWY_INLINE void add_compensated(D d, V color, V& sum, V& rest) {
+    // A sample's colour is a sum that began with 0: no negative zero.
+    const V value = hn::Add(hn::Zero(d), color);
+    const V next = hn::Add(sum, value);
+    const V added = hn::Sub(next, sum);
+    rest = hn::Add(rest, hn::Add(hn::Sub(sum, hn::Sub(next, added)), hn::Sub(value, added)));
+    sum = next;
+}
+
+/// Pixels side by side, for the sum of one is a chain of additions: as many as a register holds.
 template <typename T>
 void sum_pixels(const Columns3<T>& colors, std::size_t samples, std::size_t pixels,
                 PixelSums& sums) {
-    sum_channel(colors.x, samples, pixels, sums.sum.x, sums.rest.x);
-    sum_channel(colors.y, samples, pixels, sums.sum.y, sums.rest.y);
-    sum_channel(colors.z, samples, pixels, sums.sum.z, sums.rest.z);
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<T, decltype(d)> of_color;
+    const std::size_t lanes = hn::Lanes(d);
+    alignas(kColumnAlignment) T x[8 * kBatchSize];
+    alignas(kColumnAlignment) T y[8 * kBatchSize];
+    alignas(kColumnAlignment) T z[8 * kBatchSize];
+    for (std::size_t first = 0; first < pixels; first += lanes) {
+        turn(colors.x + first * samples, samples, pixels - first, lanes, x);
+        turn(colors.y + first * samples, samples, pixels - first, lanes, y);
+        turn(colors.z + first * samples, samples, pixels - first, lanes, z);
+        const auto zero = hn::Zero(d);
+        auto sum_x = zero, sum_y = zero, sum_z = zero;
+        auto rest_x = zero, rest_y = zero, rest_z = zero;
+        for (std::size_t at = 0; at < samples * lanes; at += lanes) {
+            add_compensated(d, widened(d, hn::Load(of_color, x + at)), sum_x, rest_x);
+            add_compensated(d, widened(d, hn::Load(of_color, y + at)), sum_y, rest_y);
+            add_compensated(d, widened(d, hn::Load(of_color, z + at)), sum_z, rest_z);
+        }
+        hn::Store(sum_x, d, sums.sum.x + first);
+        hn::Store(sum_y, d, sums.sum.y + first);
+        hn::Store(sum_z, d, sums.sum.z + first);
+        hn::Store(rest_x, d, sums.rest.x + first);
+        hn::Store(rest_y, d, sums.rest.y + first);
+        hn::Store(rest_z, d, sums.rest.z + first);
+    }
 }
 
 template <typename T>
@@ -418,6 +440,7 @@ const ColumnLoops<T>& loops() {
         ask_with_shadows_to_target<T>,
         ask_with_shadows_in_direction<T>,
         ask_without_shadows<T>,
+        add_light<T>,
         scatter<false, T>,
         scatter<true, T>,
         add_ambient<T>,

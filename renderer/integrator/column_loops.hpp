@@ -47,6 +47,9 @@ struct ColumnLoops {
     using Ask = void (*)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
     Ask ask_with_shadows_to_target, ask_with_shadows_in_direction, ask_without_shadows;
 
+    /// Adds the shares that matter to the hits' light.
+    void (*add_light)(HitColumns<T>& hits, const LightColumns<T>& answers, std::size_t count);
+
     /// What scatter() sends on, of mirrors alone or of glass too.
     using Scatter = void (*)(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
                              const Columns3<T>& direction, ScatterColumns<T>& rays,

@@ -22,7 +22,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
         return camera_.sampler(lane).draw(Draw::kLight, PathAddress{}, light);
     };
     while (!work.done()) {
-        if (stop.now()) return false;
+        if (stop.between_stages(work.counters.tests())) return false;
         if (!on_its_way_) {
             begin(work);
         } else if (batch_.step(work.counters, draw)) {

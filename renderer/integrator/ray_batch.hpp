@@ -77,12 +77,12 @@ class Pace {
         });
     }
     template <typename T>
-    bool any(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<std::uint8_t> hit,
+    bool any(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<Hit<T>> hits,
              Counters& counters) {
         return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
             any_hits<T>(scene, std::span<const Ray<T>>(batch.rays).subspan(at, n),
-                        std::span<const Exclude>(batch.excludes).subspan(at, n), hit.subspan(at, n),
-                        counters, coherence);
+                        std::span<const Exclude>(batch.excludes).subspan(at, n),
+                        hits.subspan(at, n), counters, coherence);
         });
     }
 
@@ -94,18 +94,14 @@ class Pace {
         while (left > 0 && batch.asked < batch.size()) {
             while (batch.stretches[stretch].end <= batch.asked) ++stretch;
             const std::size_t count = std::min(batch.stretches[stretch].end - batch.asked, left);
-            const std::uint64_t before = tests(counters);
+            const std::uint64_t before = counters.tests();
             core(batch.asked, count, batch.stretches[stretch].coherence);
             batch.asked += count;
-            const std::uint64_t of_one = (tests(counters) - before) / count + 1;
+            const std::uint64_t of_one = (counters.tests() - before) / count + 1;
             at_once_ = std::clamp<std::size_t>(kTestsAtOnce / of_one, kFewestAtOnce, kBatchSize);
             left = std::min(left - count, at_once_);
         }
         return batch.asked == batch.size();
-    }
-
-    static std::uint64_t tests(const Counters& counters) {
-        return counters.box_tests + counters.primitive_tests;
     }
 
     /// What the core may do between two looks: 2 ms at 10 ns a test, far below the 10 ms by which a

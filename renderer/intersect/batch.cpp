@@ -26,22 +26,32 @@ void closest_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
 
 template <typename T>
 void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
-              std::span<const Exclude> excludes, std::span<std::uint8_t> hit, Counters& counters,
+              std::span<const Exclude> excludes, std::span<Hit<T>> hits, Counters& counters,
               Coherence coherence) {
     if (scene.options.acceleration == Acceleration::kFast) {
-        constexpr std::size_t kPart = 256;
-        std::array<Hit<T>, kPart> part;
-        for (std::size_t first = 0; first < rays.size(); first += kPart) {
-            const std::size_t count = std::min(kPart, rays.size() - first);
-            search_wide(WideQuery<T>{&scene.geometry, rays.data() + first, excludes.data() + first,
-                                     count, true, coherence == Coherence::kCoherent},
-                        part.data(), counters);
-            for (std::size_t i = 0; i < count; ++i) hit[first + i] = part[i].object.valid() ? 1 : 0;
-        }
+        search_wide(WideQuery<T>{&scene.geometry, rays.data(), excludes.data(), rays.size(), true,
+                                 coherence == Coherence::kCoherent},
+                    hits.data(), counters);
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        hit[i] = any_hit(scene, rays[i], excludes[i], counters) ? 1 : 0;
+        // Which object it is means nothing.
+        const bool any = any_hit(scene, rays[i], excludes[i], counters);
+        hits[i].object = any ? ir::ObjectId{0} : ir::ObjectId{};
+    }
+}
+
+template <typename T>
+void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
+              std::span<const Exclude> excludes, std::span<std::uint8_t> hit, Counters& counters,
+              Coherence coherence) {
+    constexpr std::size_t kPart = 256;
+    std::array<Hit<T>, kPart> part;
+    for (std::size_t first = 0; first < rays.size(); first += kPart) {
+        const std::size_t count = std::min(kPart, rays.size() - first);
+        any_hits(scene, rays.subspan(first, count), excludes.subspan(first, count),
+                 std::span<Hit<T>>(part).first(count), counters, coherence);
+        for (std::size_t i = 0; i < count; ++i) hit[first + i] = part[i] ? 1 : 0;
     }
 }
 
@@ -50,7 +60,9 @@ void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
                                std::span<const Exclude>, std::span<Hit<T>>, Counters&, Coherence); \
     template void any_hits(const PreparedScene<T>&, std::span<const Ray<T>>,                       \
                            std::span<const Exclude>, std::span<std::uint8_t>, Counters&,           \
-                           Coherence);
+                           Coherence);                                                             \
+    template void any_hits(const PreparedScene<T>&, std::span<const Ray<T>>,                       \
+                           std::span<const Exclude>, std::span<Hit<T>>, Counters&, Coherence);
 COBBLE_INSTANTIATE(float)
 COBBLE_INSTANTIATE(double)
 #undef COBBLE_INSTANTIATE

@@ -29,4 +29,11 @@ void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
               std::span<const Exclude> excludes, std::span<std::uint8_t> hit, Counters& counters,
               Coherence coherence);
 
+/// The same, without a copy: what has an object hit something, and nothing else of it means
+/// anything.
+template <typename T>
+void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
+              std::span<const Exclude> excludes, std::span<Hit<T>> hits, Counters& counters,
+              Coherence coherence);
+
 }  // namespace cobble::renderer

@@ -24,6 +24,7 @@ struct Counters {
     [[nodiscard]] std::uint64_t rays() const {
         return camera_rays + shadow_rays + reflected_rays + refracted_rays;
     }
+    [[nodiscard]] std::uint64_t tests() const { return box_tests + primitive_tests; }
     Counters& operator+=(const Counters& other);
 };
 
