@@ -82,6 +82,10 @@ struct Packet {
     const Ray<float>* rays;
     const Exclude* excludes;
     bool some_excluded;
+    alignas(64) std::uint32_t excluded_object[kPacketRays];  ///< only if some_excluded
+    alignas(64) std::uint32_t excluded_face[kPacketRays];
+    /// Whether bounding triangles by beams has paid lately.
+    bool bounds_pay;
     std::size_t count;
     Hit<float>* best;  ///< of each ray; where a triangle is ahead, what it leaves behind
     std::uint64_t box_tests, primitive_tests;
@@ -320,6 +324,14 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
         best[i] = {p.bound[i], {}, 0, 0, 0};
     }
     p.some_excluded = none != ir::ObjectId::kNone;
+    if (p.some_excluded) {
+        for (std::size_t i = 0; i < kPacketRays; ++i) {
+            const Exclude& exclude = excludes[i < count ? i : 0];
+            p.excluded_object[i] = exclude.object.value;
+            p.excluded_face[i] = exclude.face;
+        }
+    }
+    p.bounds_pay = true;
     return true;
 }
 

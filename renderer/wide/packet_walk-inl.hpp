@@ -13,6 +13,7 @@
 #define COBBLE_PACKET_WALK_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <cstddef>
@@ -28,17 +29,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
-/// The lanes of `bits` that have just left the triangle in a lane of a block.
-HWY_INLINE std::uint32_t left_behind(const TriangleBlock<float>& block, std::size_t lane,
-                                     std::uint32_t bits, const Packet& p, std::size_t at) {
-    std::uint32_t left = 0;
-    for (; bits != 0; bits &= bits - 1) {
-        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-        const Exclude& exclude = p.excludes[at + i];
-        const bool same = block.object[lane] == exclude.object && block.face[lane] == exclude.face;
-        left |= std::uint32_t{same} << i;
-    }
-    return left;
+/// The rays of a group that have just left the triangle in a lane of a block.
+HWY_INLINE hn::Mask<Packet::D> left_behind(const TriangleBlock<float>& block, std::size_t lane,
+                                           const Packet& p, std::size_t at) {
+    const hn::RebindToUnsigned<Packet::D> d;
+    const auto object =
+        hn::Eq(hn::Load(d, p.excluded_object + at), hn::Set(d, block.object[lane].value));
+    const auto face = hn::Eq(hn::Load(d, p.excluded_face + at), hn::Set(d, block.face[lane]));
+    return hn::RebindMask(Packet::D(), hn::And(object, face));
 }
 
 template <class D>
@@ -79,8 +77,12 @@ HWY_INLINE bool test_triangle_group(const WideTree<float>& tree, std::uint32_t i
     const auto least = hn::Min(hn::Min(edges.u, edges.v), edges.w);
     const auto most = hn::Max(hn::Max(edges.u, edges.v), edges.w);
     const auto error = kKnown ? hn::Set(d, far_off) : edges.error;
-    const auto outside = hn::And(hn::Lt(least, hn::Neg(error)), hn::Gt(most, error));
+    auto outside = hn::And(hn::Lt(least, hn::Neg(error)), hn::Gt(most, error));
     if (hn::AllTrue(d, outside)) return false;
+    if (p.some_excluded) {
+        outside = hn::Or(outside, left_behind(block, lane, p, at));
+        if (hn::AllTrue(d, outside)) return false;
+    }
 
     auto near = hn::Set(d, std::numeric_limits<float>::lowest());
     auto far = hn::Set(d, std::numeric_limits<float>::max());
@@ -108,7 +110,6 @@ HWY_INLINE bool test_triangle_group(const WideTree<float>& tree, std::uint32_t i
         left = hn::AndNot(surely_outside(d, edges.u, edges.v, edges.w, edges.error), left);
     }
     std::uint32_t bits = bits_of(d, left);
-    if (p.some_excluded) bits &= ~left_behind(block, lane, bits, p, at);
     // Those that it surely comes before all else for; of any hit: that it surely ends.
     const auto first = hn::And(hn::And(left, sure),
                                hn::And(hn::Gt(near, min), hn::Lt(far, hn::Load(d, p.least + at))));
@@ -172,7 +173,7 @@ HWY_INLINE std::uint32_t test_triangle_leaf(const WideTree<float>& tree, ChildRe
     const std::uint32_t count = at.count();
     std::uint32_t changed = 0;
     p.primitive_tests += hwy::PopCount(groups) * Packet::kLanes * count;
-    if (hwy::PopCount(groups) <= kFewGroups) {
+    if (!p.bounds_pay && hwy::PopCount(groups) <= kFewGroups) {
         for (; groups != 0; groups &= groups - 1) {
             const auto group = hwy::Num0BitsBelowLS1Bit_Nonzero32(groups);
             for (std::uint32_t i = 0; i < count; ++i) {
@@ -184,10 +185,13 @@ HWY_INLINE std::uint32_t test_triangle_leaf(const WideTree<float>& tree, ChildRe
     }
     alignas(64) float far_off[Beams::kOfBlock];
     const std::uint32_t met = beams_at_block(tree.triangles[at.index()], p, far_off);
+    std::uint32_t tested = 0;
+    const auto asked = static_cast<std::uint32_t>(hwy::PopCount(groups)) * count;
     for (; groups != 0; groups &= groups - 1) {
         const auto group = hwy::Num0BitsBelowLS1Bit_Nonzero32(groups);
         const std::size_t beam = group / Packet::kBeamGroups;
         std::uint32_t triangles = met >> (beam * kBlockLanes) & ((1U << count) - 1);
+        tested += static_cast<std::uint32_t>(hwy::PopCount(triangles));
         for (; triangles != 0; triangles &= triangles - 1) {
             const auto i =
                 static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(triangles));
@@ -196,6 +200,7 @@ HWY_INLINE std::uint32_t test_triangle_leaf(const WideTree<float>& tree, ChildRe
             changed |= std::uint32_t{c} << group;
         }
     }
+    p.bounds_pay = tested * 2 <= asked;
     return changed;
 }
 
@@ -253,6 +258,21 @@ HWY_INLINE std::uint32_t first_beams(const WideNode<float>& node, std::size_t sl
     return 0;
 }
 
+/// Asks for what a child leads to, before it is needed.
+HWY_INLINE void prefetch_child(const WideTree<float>& tree, ChildRef child) {
+    if (child.is_inner()) {
+        // Two rows a line of the cache.
+        const auto& bounds = child.node_in(tree.nodes.data()).bounds;
+        for (std::size_t row = 0; row < 6; row += 2) hwy::Prefetch(bounds[row]);
+        hwy::Prefetch(bounds[5]);
+    } else if (child.kind() == PrimitiveKind::kTriangle) {
+        const auto* const block = &tree.triangles[child.index()];
+        hwy::Prefetch(block->vertices[0][0]);
+        hwy::Prefetch(block->vertices[1][1]);
+        hwy::Prefetch(block->vertices[2][2]);
+    }
+}
+
 struct WaitingPart {
     float near;
     std::uint32_t beams;  ///< that may meet it, as in kAllBeams
@@ -292,10 +312,13 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
         for (; bits != 0; bits &= bits - 1) {
             const auto slot = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
             std::uint32_t beams = hits >> slot & kAllBeams;
-            if constexpr (kAny) {
+            // Shadow rays begin all over the place; where they meet leaves together nonetheless,
+            // this costs more than it saves.
+            if (kAny && p.leaf_rays * 2 <= p.leaf_groups * Packet::kLanes) {
                 beams = first_beams(node, slot, beams, p);
                 if (beams == 0) continue;
             }
+            prefetch_child(tree, node.child[slot]);
             const WaitingPart next{begins[slot], beams, node.child[slot], slot, &node};
             std::size_t place = waiting++;
             while (place > base && stack[place - 1].near < next.near) {
