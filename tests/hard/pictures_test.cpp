@@ -7,7 +7,11 @@
 #include <xmmintrin.h>
 #endif
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "renderer/intersect/instruction_set.hpp"
 #include "tests/hard/cores.hpp"
@@ -68,6 +72,58 @@ SceneMaker heap(double scale) {
         if (i % 4 == 0) make.box(c * scale, (c + Vec3d{0.25, 0.5, 0.125}) * scale);
     }
     return make;
+}
+
+/// All coordinates in float below the normal range, of which 2^-126 is the end; light too in half
+/// of what it falls on.
+SceneBuilder below_normal() {
+    constexpr double kUnit = 0x1p-130;
+    SceneBuilder b;
+    b.camera(Vec3d{0, 0.5, 7} * kUnit, {0, 0, -1}, 0.6);
+    b.material({0.8, 0.6, 0.4});
+    b.mesh(smooth_tetrahedron());
+    for (Vec3d& p : b.scene().meshes[0].positions) p = p * kUnit;
+    b.triangle(Vec3d{-3, 0, -1} * kUnit, Vec3d{-1, 0, -2} * kUnit, Vec3d{-2.5, 3, -1.5} * kUnit);
+    b.material({0x1p-140, 0x1p-130, 0.5});
+    b.sphere(Vec3d{2, 1, 0.5} * kUnit, 0.9 * kUnit);
+    b.box(Vec3d{-0.5, -1.5, 1} * kUnit, Vec3d{1.5, -0.75, 2} * kUnit);
+    b.point_light(Vec3d{-3, 6, 4} * kUnit, {0.7, 0.7, 0.7});
+    b.sun({0.4, -1, -0.3}, {0.3, 0.3, 0.3});
+    return b;
+}
+
+/// How many numbers are there below the normal range, but not 0.
+std::ptrdiff_t count_denormals(const std::vector<float>& values) {
+    return std::count_if(values.begin(), values.end(),
+                         [](float x) { return std::fpclassify(x) == FP_SUBNORMAL; });
+}
+
+/// What a scene is to rays at everything in it.
+struct Found {
+    std::size_t notes = 0;
+    std::vector<renderer::Hit<float>> hits;
+};
+
+Found look_into(const ir::Scene& scene, renderer::Acceleration acceleration) {
+    renderer::PrepareOptions options;
+    options.acceleration = acceleration;
+    const auto prepared = renderer::prepare<float>(scene, options);
+    Found found{prepared.notes.size(), {}};
+    renderer::Counters counters;
+    for (int i = 0; i < 400; ++i) {
+        const Vec3d at = Vec3d{0.3 * (i % 20 - 10), 0.3 * (i / 20 - 10), 0} * 0x1p-130;
+        renderer::Ray<float> r;
+        r.origin = prepared.to_local(scene.camera.center);
+        r.direction = math::normalize(at - scene.camera.center).to<float>();
+        found.hits.push_back(closest_hit(prepared, r, {}, counters));
+    }
+    return found;
+}
+
+std::ptrdiff_t count_differences(const Found& a, const Found& b) {
+    std::ptrdiff_t differ = 0;
+    for (std::size_t i = 0; i < a.hits.size(); ++i) differ += same(a.hits[i], b.hits[i]) ? 0 : 1;
+    return differ;
 }
 
 /// Rays at vertices, edges and anywhere, whose hits in a heap of another scale are not the same but
@@ -146,6 +202,33 @@ TEST_CASE(
         const DenormalsFlushed flushed;
         CHECK(hash_of(render(b.scene(), s).picture) == expected);
         CHECK(hash_of(render(b.scene(), s, 3).picture) == expected);
+    }
+}
+
+TEST_CASE("row 45: numbers below the normal range count, whatever the host has set") {
+    SceneBuilder b = below_normal();
+    const renderer::Settings s = full(24, 18, 2);
+    const renderer::Picture picture = render(b.scene(), s).picture;
+    CHECK(count_denormals(picture.depth.values) > 50);
+    CHECK(count_denormals(picture.color.values) > 20);
+    const std::string expected = hash_of(picture);
+    for (const std::string& name : renderer::instruction_sets()) {
+        CAPTURE(name);
+        const WithInstructionSet with(name);
+        const DenormalsFlushed flushed;
+        CHECK(hash_of(render(b.scene(), s).picture) == expected);
+        CHECK(hash_of(render(b.scene(), s, 3).picture) == expected);
+    }
+    // In the host's mode, as it would be if nobody set another, there is something else to see.
+    for (const auto acceleration : {renderer::Acceleration::kBvh, renderer::Acceleration::kFast}) {
+        const Found kept = look_into(b.scene(), acceleration);
+        const auto hits = std::count_if(kept.hits.begin(), kept.hits.end(),
+                                        [](const auto& hit) { return bool(hit); });
+        CHECK(hits > 50);
+        const DenormalsFlushed flushed;
+        const Found lost = look_into(b.scene(), acceleration);
+        CHECK(lost.notes > kept.notes);
+        CHECK(count_differences(kept, lost) == hits);
     }
 }
 
