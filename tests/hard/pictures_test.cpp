@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -16,6 +17,7 @@
 #include "renderer/intersect/instruction_set.hpp"
 #include "tests/hard/cores.hpp"
 #include "tests/hard/mixed.hpp"
+#include "tests/hard/wrong_shapes.hpp"
 #include "tests/render/everything.hpp"
 #include "tests/render/same.hpp"
 #include "tests/support/golden.hpp"
@@ -126,35 +128,61 @@ std::ptrdiff_t count_differences(const Found& a, const Found& b) {
     return differ;
 }
 
-/// Rays at vertices, edges and anywhere, whose hits in a heap of another scale are not the same but
-/// for t, which counts in lengths of the direction: the one is scaled, the other not.
+/// A heap, the same in another size, and rays at vertices, edges and anywhere, in both.
+template <typename T>
+struct Scaled {
+    SceneMaker one = heap(1);
+    SceneMaker other;
+    std::vector<std::array<renderer::Ray<T>, 2>> rays;
+
+    /// The directions too, or not: then t is scaled.
+    Scaled(int exponent, bool scale_direction) : other(heap(std::ldexp(1.0, exponent))) {
+        const auto a = renderer::prepare<T>(one.scene);
+        const auto power = static_cast<T>(std::ldexp(1.0, exponent));
+        Random random(100);
+        for (int i = 0; i < 600; ++i) {
+            const auto& v = one.scene.triangles[random.below(24)].keys[0];
+            const Vec3d at = i % 3 == 0   ? v[random.below(3)]
+                             : i % 3 == 1 ? lerp(v[0], v[1], random.unit())
+                                          : random.point(1);
+            renderer::Ray<T> r;
+            r.origin = a.to_local(random.point(3));
+            r.direction = a.to_local(at) - r.origin;
+            renderer::Ray<T> s = r;
+            s.origin = r.origin * power;
+            if (scale_direction) s.direction = r.direction * power;
+            rays.push_back({r, s});
+        }
+    }
+};
+
+/// Rays whose hits in a heap of another scale are not the same but for t.
 template <typename T>
 int scaled_differ(int exponent, bool scale_direction, std::string* cores) {
-    const auto one = heap(1);
-    const auto tiny = heap(std::ldexp(1.0, exponent));
-    const auto a = renderer::prepare<T>(one.scene);
-    Questions<T> q(tiny.scene);
-    const auto power = static_cast<T>(std::ldexp(1.0, exponent));
+    const Scaled<T> scaled(exponent, scale_direction);
+    const auto a = renderer::prepare<T>(scaled.one.scene);
+    Questions<T> q(scaled.other.scene);
     renderer::Counters counters;
-    Random random(100);
     int differ = 0;
-    for (int i = 0; i < 600; ++i) {
-        const auto& v = one.scene.triangles[random.below(24)].keys[0];
-        const Vec3d at = i % 3 == 0   ? v[random.below(3)]
-                         : i % 3 == 1 ? lerp(v[0], v[1], random.unit())
-                                      : random.point(1);
-        renderer::Ray<T> r;
-        r.origin = a.to_local(random.point(3));
-        r.direction = a.to_local(at) - r.origin;
-        renderer::Ray<T> s = r;
-        s.origin = r.origin * power;
-        if (scale_direction) s.direction = r.direction * power;
+    for (const auto& [r, s] : scaled.rays) {
         const auto p = closest_hit(a, r, {}, counters);
         auto hit = q.ask(s);
-        if (!scale_direction) hit.t = hit.t / power;
+        if (!scale_direction) hit.t = hit.t / static_cast<T>(std::ldexp(1.0, exponent));
         differ += same(p, hit) ? 0 : 1;
     }
     if (cores != nullptr) *cores = q.differences();
+    return differ;
+}
+
+/// Rays that do not meet the same object, by kernels that may be wrong.
+int scaled_differ_by(const Kernels& kernels) {
+    const Scaled<float> scaled(-100, false);
+    const auto a = renderer::prepare<float>(scaled.one.scene);
+    const auto b = renderer::prepare<float>(scaled.other.scene);
+    int differ = 0;
+    for (const auto& [r, s] : scaled.rays) {
+        differ += kernels(a, r).object == kernels(b, s).object ? 0 : 1;
+    }
     return differ;
 }
 
@@ -243,6 +271,14 @@ TEST_CASE("row 45: a scene scaled by 2^-100 keeps its hits, by every core") {
         CHECK(scaled_differ<float>(60, scale_direction, nullptr) == 0);
     }
     record(45, "0 of 2,400 hits differ at 2^-100");
+    // Kernels that know how small is too small are found.
+    CHECK(scaled_differ_by({}) == 0);
+    Kernels wrong;
+    wrong.triangle = absolute_epsilon;
+    CHECK(scaled_differ_by(wrong) > 100);
+    wrong = {};
+    wrong.sphere = plain_sphere;
+    CHECK(scaled_differ_by(wrong) > 100);
 }
 
 }  // namespace cobble::test
