@@ -69,15 +69,6 @@ struct Pixel {
     std::uint32_t samples = 0;  ///< those that count
 };
 
-/// The pixel of `count` sound samples, one at least, with this sum of their colours; nobody wants
-/// the other pictures.
-inline Pixel pixel_of_colors(const CompensatedSum3& sum, std::uint32_t count) {
-    Pixel result;
-    result.color = sum.value() / static_cast<double>(count);
-    result.samples = count;
-    return result;
-}
-
 /// Colour, normal and albedo are means over all samples; depth is the mean over those that hit.
 class PixelAccumulator {
   public:

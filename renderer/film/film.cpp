@@ -38,9 +38,8 @@ Film::Film(const Settings& settings) : window_(window_of(settings)) {
 }
 
 void Film::set_pixel(std::uint32_t x, std::uint32_t y, const Pixel& pixel) {
-    const std::size_t index =
-        std::size_t{y - window_.y0} * (window_.x1 - window_.x0) + (x - window_.x0);
-    set3(picture_.color, index, pixel.color);
+    set_color(x, y, pixel.color, pixel.samples);
+    const std::size_t index = index_of(x, y);
     if (!picture_.depth.values.empty()) {
         picture_.depth.values[index] = pixel.depth == std::numeric_limits<double>::infinity()
                                            ? std::numeric_limits<float>::infinity()
@@ -48,9 +47,13 @@ void Film::set_pixel(std::uint32_t x, std::uint32_t y, const Pixel& pixel) {
     }
     if (!picture_.normals.values.empty()) set3(picture_.normals, index, pixel.normal);
     if (!picture_.albedo.values.empty()) set3(picture_.albedo, index, pixel.albedo);
-    if (!picture_.sample_count.values.empty()) {
-        picture_.sample_count.values[index] = static_cast<float>(pixel.samples);
-    }
+}
+
+void Film::set_color(std::uint32_t x, std::uint32_t y, math::Vec3d color, std::uint32_t samples) {
+    const std::size_t index = index_of(x, y);
+    set3(picture_.color, index, color);
+    if (picture_.sample_count.values.empty()) return;
+    picture_.sample_count.values[index] = static_cast<float>(samples);
 }
 
 }  // namespace cobble::renderer

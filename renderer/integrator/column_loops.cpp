@@ -380,10 +380,21 @@ HWY_INLINE void add_compensated(D d, V color, V& sum, V& rest) {
     sum = next;
 }
 
+/// The sums of one sample each: nothing is lost.
+template <typename T>
+COBBLE_LOOP void begin_sums(const Columns3<T>& __restrict colors, std::size_t pixels,
+                            PixelSums& __restrict sums) {
+    for (std::size_t i = 0; i < pixels; ++i) {
+        sums.sum.set(i, math::Vec3d{} + colors.at(i).template to<double>());
+        sums.rest.set(i, {});
+    }
+}
+
 /// Pixels side by side, for the sum of one is a chain of additions: as many as a register holds.
 template <typename T>
 void sum_pixels(const Columns3<T>& colors, std::size_t samples, std::size_t pixels,
                 PixelSums& sums) {
+    if (samples == 1) return begin_sums(colors, pixels, sums);
     const hn::CappedTag<double, 8> d;
     const hn::Rebind<T, decltype(d)> of_color;
     const std::size_t lanes = hn::Lanes(d);

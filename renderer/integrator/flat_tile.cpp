@@ -60,7 +60,7 @@ void FlatTile<T>::land_together(TileWork& work, Film& film) {
         const CompensatedSum3 color({sum.x[i], rest.x[i]}, {sum.y[i], rest.y[i]},
                                     {sum.z[i], rest.z[i]});
         const PixelPlace at = camera_.place(i * samples_);
-        film.set_pixel(at.x, at.y, pixel_of_colors(color, samples_));
+        film.set_color(at.x, at.y, color.value() / static_cast<double>(samples_), samples_);
     }
     work.pixels_done += pixels;
 }
