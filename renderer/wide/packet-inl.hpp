@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "renderer/accel/wide_tree.hpp"
@@ -97,24 +98,6 @@ struct Packet {
     [[nodiscard]] bool stayed_together() const { return leaf_rays * 6 >= leaf_groups * kLanes; }
 };
 
-/// A number for each beam.
-using BeamTag = hn::FixedTag<float, kBeams>;
-
-struct Extremes {
-    hn::Vec<BeamTag> least, greatest;
-};
-
-/// What is left of a vector when its blocks of four lanes are reduced to one.
-template <class D, class V, typename Pick>
-HWY_INLINE auto fold_blocks(D, V v, Pick pick) {
-    if constexpr (hn::MaxLanes(D()) > 4) {
-        const hn::Half<D> half;
-        return fold_blocks(half, pick(hn::LowerHalf(half, v), hn::UpperHalf(half, v)), pick);
-    } else {
-        return v;
-    }
-}
-
 /// Blocks of four lanes, the first from `from` and each next one `stride` numbers behind.
 template <class D>
 HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, std::size_t stride) {
@@ -126,81 +109,6 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, std::size_t stride) {
     } else {
         return hn::LoadU(d, from);
     }
-}
-
-/// Of a number of each ray, by beams: lanes are reduced while they are transposed.
-HWY_INLINE Extremes extremes_of(const float* values) {
-    const Packet::D d;
-    const auto reduce = [&](auto pick) HWY_ATTR {
-        hn::Vec<Packet::D> v[kBeams];
-        for (std::size_t b = 0; b < kBeams; ++b) {
-            v[b] = hn::Load(d, values + b * kBeamRays);
-            for (std::size_t at = Packet::kLanes; at < kBeamRays; at += Packet::kLanes) {
-                v[b] = pick(v[b], hn::Load(d, values + b * kBeamRays + at));
-            }
-        }
-        const auto even =
-            pick(hn::InterleaveLower(d, v[0], v[2]), hn::InterleaveUpper(d, v[0], v[2]));
-        const auto odd =
-            pick(hn::InterleaveLower(d, v[1], v[3]), hn::InterleaveUpper(d, v[1], v[3]));
-        const auto all = pick(hn::InterleaveLower(d, even, odd), hn::InterleaveUpper(d, even, odd));
-        return fold_blocks(d, all, pick);
-    };
-    return {reduce([](auto a, auto b) HWY_ATTR { return hn::Min(a, b); }),
-            reduce([](auto a, auto b) HWY_ATTR { return hn::Max(a, b); })};
-}
-
-/// Writes a row of Beams: each beam's number kTimes side by side.
-template <std::size_t kTimes>
-HWY_INLINE void spread(hn::Vec<BeamTag> of_beams, float* row) {
-    const hn::CappedTag<float, kTimes> d;
-    constexpr std::size_t kLanes = hn::MaxLanes(hn::CappedTag<float, kTimes>());
-    alignas(16) float numbers[kBeams];
-    hn::Store(of_beams, BeamTag(), numbers);
-    for (std::size_t b = 0; b < kBeams; ++b) {
-        for (std::size_t at = 0; at < kTimes; at += kLanes) {
-            hn::Store(hn::Set(d, numbers[b]), d, row + b * kTimes + at);
-        }
-    }
-}
-HWY_INLINE void spread_to_node(hn::Vec<BeamTag> of_beams, float* row) {
-    spread<WideNode<float>::kWidth>(of_beams, row);
-}
-
-/// The middle of an interval as it happens to be rounded, and how far it is to the ends at most.
-HWY_INLINE void spread_to_block(const Extremes& of, Beams& beams, std::size_t row) {
-    const BeamTag d;
-    const auto half = hn::Set(d, 0.5F);
-    const auto middle = hn::Add(hn::Mul(of.least, half), hn::Mul(of.greatest, half));
-    const auto radius = hn::Mul(hn::Max(hn::Sub(of.greatest, middle), hn::Sub(middle, of.least)),
-                                hn::Set(d, 1 + 4 * std::numeric_limits<float>::epsilon()));
-    spread<kBlockLanes>(middle, beams.middle[row]);
-    spread<kBlockLanes>(radius, beams.radius[row]);
-}
-
-/// Each beam's greatest bound, after rays of it have found something.
-HWY_INLINE void update_bound(Packet& p, std::size_t beam) {
-    const Packet::D d;
-    auto most = hn::Load(d, p.bound + beam * kBeamRays);
-    for (std::size_t at = Packet::kLanes; at < kBeamRays; at += Packet::kLanes) {
-        most = hn::Max(most, hn::Load(d, p.bound + beam * kBeamRays + at));
-    }
-    most = hn::MaxOfLanes(d, most);
-    constexpr std::size_t kWidth = WideNode<float>::kWidth;
-    const hn::CappedTag<float, kWidth> row;
-    for (std::size_t at = 0; at < kWidth; at += hn::Lanes(row)) {
-        hn::Store(hn::Set(row, hn::GetLane(most)), row, p.beams.bound + beam * kWidth + at);
-    }
-}
-
-/// The greatest bound of all beams.
-inline float greatest_bound(const Packet& p) {
-    float most = p.beams.bound[0];
-    for (std::size_t b = 1; b < kBeams; ++b) {
-        const float other = p.beams.bound[b * WideNode<float>::kWidth];
-        most = other > most ? other : most;
-    }
-    return most;
 }
 
 /// The first eight numbers of kLanes rays in columns.
@@ -243,6 +151,36 @@ HWY_INLINE void transpose(const Ray<float>* rays, Packet& p, std::size_t at) {
     hn::Store(hn::Set(du, Packet::kNoTriangle), du, p.ahead + at);
 }
 
+/// What rays leave in columns; false if none leaves anything.
+HWY_INLINE bool transpose_excludes(const Exclude* excludes, Packet& p) {
+    const hn::RebindToUnsigned<Packet::D> d;
+    constexpr std::size_t kNumbers = 3;
+    static_assert(sizeof(Exclude) == kNumbers * sizeof(std::uint32_t) &&
+                  offsetof(Exclude, face) == sizeof(std::uint32_t));
+    const auto none = hn::Set(d, ir::ObjectId::kNone);
+    auto nothing = hn::Eq(none, none);
+    for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
+        auto object = none;
+        auto face = none;
+        auto flags = none;
+        hn::LoadInterleaved3(d, reinterpret_cast<const std::uint32_t*>(excludes + at), object, face,
+                             flags);
+        nothing = hn::And(nothing, hn::Eq(object, none));
+        hn::Store(object, d, p.excluded_object + at);
+        hn::Store(face, d, p.excluded_face + at);
+    }
+    return !hn::AllTrue(d, nothing);
+}
+
+/// The answers of a packet's rays that do not end and meet nothing.
+struct NothingAhead {
+    Hit<float> hits[kPacketRays];
+    constexpr NothingAhead() {
+        for (Hit<float>& hit : hits) hit.t = std::numeric_limits<float>::max();
+    }
+};
+inline constexpr NothingAhead kNothingAhead;
+
 /// False if the rays do not all go the same way, or along an axis: then nothing is to be done with
 /// the packet. The arithmetic of RaySlabs and RayShear.
 inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t count,
@@ -264,10 +202,16 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
         for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
             transpose(rays, p, at);
         }
+        p.some_excluded = transpose_excludes(excludes, p);
     } else {
         // Filled up with the last one, so that its beam is not widened.
         Ray<float> all[kPacketRays];
-        for (std::size_t i = 0; i < kPacketRays; ++i) all[i] = rays[i < count ? i : count - 1];
+        Exclude all_excludes[kPacketRays];
+        for (std::size_t i = 0; i < kPacketRays; ++i) {
+            all[i] = rays[i < count ? i : count - 1];
+            all_excludes[i] = excludes[i < count ? i : count - 1];
+        }
+        p.some_excluded = transpose_excludes(all_excludes, p);
         for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
             transpose(all, p, at);
         }
@@ -318,117 +262,17 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
         hn::Store(hn::IfThenZeroElse(hn::Eq(sx, zero), x), d, p.direction[p.kx] + at);
         hn::Store(hn::IfThenZeroElse(hn::Eq(sy, zero), y), d, p.direction[p.ky] + at);
     }
-    std::uint32_t none = ir::ObjectId::kNone;
-    for (std::size_t i = 0; i < count; ++i) {
-        none &= excludes[i].object.value;
-        best[i] = {p.bound[i], {}, 0, 0, 0};
+    auto usual = hn::Eq(zero, zero);
+    for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
+        usual = hn::And(usual, hn::Eq(hn::Load(d, p.bound + at), most));
     }
-    p.some_excluded = none != ir::ObjectId::kNone;
-    if (p.some_excluded) {
-        for (std::size_t i = 0; i < kPacketRays; ++i) {
-            const Exclude& exclude = excludes[i < count ? i : 0];
-            p.excluded_object[i] = exclude.object.value;
-            p.excluded_face[i] = exclude.face;
-        }
+    if (hn::AllTrue(d, usual)) {
+        std::memcpy(best, kNothingAhead.hits, sizeof(kNothingAhead.hits));
+    } else {
+        for (std::size_t i = 0; i < count; ++i) best[i] = {p.bound[i], {}, 0, 0, 0};
     }
     p.bounds_pay = true;
     return true;
-}
-
-/// Fills in the beams of a gathered packet.
-inline void gather_beams(Packet& p) {
-    Beams& beams = p.beams;
-    const BeamTag d;
-    const auto slack = hn::Set(d, kFarSlack<float>);
-    Extremes origin[3];
-    for (std::size_t a = 0; a < 3; ++a) {
-        origin[a] = extremes_of(p.origin[a]);
-        // Least of (plane - o) * inverse: with a positive inverse the greatest origin gives the
-        // least difference, with a negative one the least origin gives the greatest.
-        const bool negative = p.negative[a];
-        spread_to_node(negative ? origin[a].least : origin[a].greatest, beams.to_first[a]);
-        spread_to_node(negative ? origin[a].greatest : origin[a].least, beams.to_last[a]);
-        const Extremes inverse = extremes_of(p.inverse[a]);
-        spread_to_node(inverse.least, beams.least_inverse[a]);
-        spread_to_node(inverse.greatest, beams.greatest_inverse[a]);
-        spread_to_node(hn::Mul(inverse.least, slack), beams.least_far[a]);
-        spread_to_node(hn::Mul(inverse.greatest, slack), beams.greatest_far[a]);
-    }
-    spread_to_node(extremes_of(p.t_min).least, beams.t_min);
-    spread_to_node(extremes_of(p.bound).greatest, beams.bound);
-    spread_to_block(origin[p.kx], beams, 0);
-    spread_to_block(origin[p.ky], beams, 1);
-    spread_to_block(origin[p.kz], beams, 2);
-    spread_to_block(extremes_of(p.sx), beams, 3);
-    spread_to_block(extremes_of(p.sy), beams, 4);
-}
-
-/// A row of a node for the lanes from `at` on of a row of Beams.
-template <class D>
-HWY_INLINE hn::Vec<D> load_children(D d, const float* row, std::size_t at) {
-    constexpr std::size_t kWidth = WideNode<float>::kWidth;
-    if constexpr (hn::MaxLanes(D()) > kWidth) {
-        const hn::Half<D> half;
-        const auto once = hn::Load(half, row);
-        return hn::Combine(d, once, once);
-    } else {
-        return hn::Load(d, row + at % kWidth);
-    }
-}
-
-/// The least by child of a number for each child and beam.
-template <class D>
-HWY_INLINE void store_least(D d, hn::Vec<D> v, float* to) {
-    if constexpr (hn::MaxLanes(D()) > WideNode<float>::kWidth) {
-        const hn::Half<D> half;
-        hn::Store(hn::Min(hn::LowerHalf(half, v), hn::UpperHalf(half, v)), half, to);
-    } else {
-        hn::Store(v, d, to);
-    }
-}
-
-/// Children that any of the rays of a beam may meet, a bit for each child of the first beam, then
-/// of the second and so on; and a t that none of the rays meets the child before. `beams`: those
-/// that are asked for, as in kAllBeams. The slabs' arithmetic is monotone in the origin and in the
-/// inverse, so that the intervals' answer covers each ray's own.
-HWY_INLINE std::uint32_t beam_hits(const WideNode<float>& node, const Packet& p,
-                                   std::uint32_t beams, float* begins) {
-    using D = Packet::D;
-    const D d;
-    constexpr std::size_t kLanes = Packet::kLanes;
-    constexpr std::size_t kWidth = WideNode<float>::kWidth;
-    constexpr std::size_t kRows = kLanes < kWidth ? kWidth / kLanes : 1;
-    const Beams& b = p.beams;
-    const auto never = hn::Set(d, std::numeric_limits<float>::max());
-    hn::Vec<D> earliest[kRows];
-    for (std::size_t i = 0; i < kRows; ++i) earliest[i] = never;
-    const std::uint32_t asked = beams * 255;
-    std::uint32_t bits = 0;
-    for (std::size_t at = 0; at < Beams::kOfNode; at += kLanes) {
-        if ((asked >> at & ((1U << kLanes) - 1)) == 0) continue;
-        const auto bounds = [&](std::size_t row)
-                                HWY_ATTR { return load_children(d, node.bounds[row], at); };
-        auto near = hn::Load(d, b.t_min + at);
-        auto far = hn::Load(d, b.bound + at);
-        for (std::size_t a = 0; a < 3; ++a) {
-            const bool negative = p.negative[a];
-            const auto first =
-                hn::Sub(bounds(negative ? a + 3 : a), hn::Load(d, b.to_first[a] + at));
-            const auto last = hn::Sub(bounds(negative ? a : a + 3), hn::Load(d, b.to_last[a] + at));
-            near = hn::Max(near, hn::Min(hn::Mul(first, hn::Load(d, b.least_inverse[a] + at)),
-                                         hn::Mul(first, hn::Load(d, b.greatest_inverse[a] + at))));
-            far = hn::Min(far, hn::Max(hn::Mul(last, hn::Load(d, b.least_far[a] + at)),
-                                       hn::Mul(last, hn::Load(d, b.greatest_far[a] + at))));
-        }
-        const auto met = hn::Le(near, far);
-        auto& least = earliest[at / kLanes % kRows];
-        least = hn::Min(least, hn::IfThenElse(met, near, never));
-        bits |= bits_of(d, met) << at;
-    }
-    for (std::size_t i = 0; i < kRows; ++i) {
-        store_least(d, earliest[i], begins + i * kLanes);
-    }
-    return bits & asked;
 }
 
 /// The rays of a group that meet the box in a slot of a node.

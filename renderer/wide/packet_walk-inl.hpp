@@ -16,6 +16,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -273,12 +274,31 @@ HWY_INLINE void prefetch_child(const WideTree<float>& tree, ChildRef child) {
     }
 }
 
-struct WaitingPart {
-    float near;
-    std::uint32_t beams;  ///< that may meet it, as in kAllBeams
-    ChildRef child;
-    std::uint32_t slot;             ///< that it is
-    const WideNode<float>* parent;  ///< of this node
+/// A child that waits, in two numbers: what is put together from smaller ones in memory and read
+/// back as one would have to wait until all of it is written.
+class WaitingPart {
+  public:
+    WaitingPart() = default;  // no values of their own: a stack of hundreds is made for each packet
+    /// `beams`: those that may meet it, as in kAllBeams.
+    WaitingPart(float near, std::uint32_t node, std::uint32_t slot, std::uint32_t beams)
+        : front_(std::bit_cast<std::uint32_t>(near) | std::uint64_t{node} << 32),
+          back_(slot << kSlotShift | beams) {}
+
+    /// Before this no ray meets it.
+    [[nodiscard]] float near() const {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(front_));
+    }
+    /// Whose slot it is, in units of a node's alignment.
+    [[nodiscard]] std::size_t node() const { return front_ >> 32; }
+    [[nodiscard]] std::uint32_t slot() const { return back_ >> kSlotShift & 7; }
+    [[nodiscard]] std::uint32_t beams() const { return back_ & kAllBeams; }
+
+  private:
+    static constexpr std::uint32_t kSlotShift = 1;
+    static_assert((7U << kSlotShift & kAllBeams) == 0 && WideNode<float>::kWidth == 8);
+
+    std::uint64_t front_;
+    std::uint32_t back_;
 };
 
 template <bool kAny>
@@ -286,46 +306,57 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
     const WideTree<float>& tree = g.wide;
     if (tree.nodes.empty()) return;
     constexpr std::size_t kWidth = WideNode<float>::kWidth;
+    constexpr std::size_t kUnit = alignof(WideNode<float>);
     gather_beams(p);
     WaitingPart stack[kMaxTreeDepth * (kWidth - 1) + kWidth];
     std::size_t waiting = 0;
-    stack[waiting++] = {std::numeric_limits<float>::lowest(), kAllBeams, ChildRef::inner(0), 0,
-                        nullptr};
+    const WideNode<float>* const nodes = tree.nodes.data();
+    const auto* const first_byte = reinterpret_cast<const char*>(nodes);
+    const WideNode<float>* node = nodes;
+    std::uint32_t beams = kAllBeams;
     float bound = greatest_bound(p);
     std::uint64_t steps = 0;
-    while (waiting != 0) {
-        const WaitingPart at = stack[--waiting];
-        if (at.near > bound) continue;
-        if (!at.child.is_inner()) {
-            if (!test_slot<kAny>(g, *at.parent, at.slot, at.beams, p)) continue;
-            bound = greatest_bound(p);
-            if (kAny && bound == std::numeric_limits<float>::lowest()) break;
-            continue;
-        }
-        const WideNode<float>& node = at.child.node_in(tree.nodes.data());
+    while (node != nullptr) {
         ++steps;
         alignas(64) float begins[kWidth];
-        const std::uint32_t hits = beam_hits(node, p, at.beams, begins);
+        const std::uint32_t hits = beam_hits(*node, p, beams, begins);
+        const auto place_of_node = static_cast<std::uint32_t>(
+            static_cast<std::size_t>(reinterpret_cast<const char*>(node) - first_byte) / kUnit);
         const std::size_t base = waiting;
         std::uint32_t bits = (hits | hits >> 16) & 0xffff;
         bits = (bits | bits >> 8) & 0xff;
         for (; bits != 0; bits &= bits - 1) {
             const auto slot = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-            std::uint32_t beams = hits >> slot & kAllBeams;
+            std::uint32_t of_child = hits >> slot & kAllBeams;
             // Shadow rays begin all over the place; where they meet leaves together nonetheless,
             // this costs more than it saves.
             if (kAny && p.leaf_rays * 2 <= p.leaf_groups * Packet::kLanes) {
-                beams = first_beams(node, slot, beams, p);
-                if (beams == 0) continue;
+                of_child = first_beams(*node, slot, of_child, p);
+                if (of_child == 0) continue;
             }
-            prefetch_child(tree, node.child[slot]);
-            const WaitingPart next{begins[slot], beams, node.child[slot], slot, &node};
+            prefetch_child(tree, node->child[slot]);
+            const WaitingPart next(begins[slot], place_of_node, slot, of_child);
             std::size_t place = waiting++;
-            while (place > base && stack[place - 1].near < next.near) {
+            while (place > base && stack[place - 1].near() < begins[slot]) {
                 stack[place] = stack[place - 1];
                 --place;
             }
             stack[place] = next;
+        }
+        node = nullptr;
+        while (waiting != 0 && node == nullptr) {
+            const WaitingPart at = stack[--waiting];
+            if (at.near() > bound) continue;
+            const auto& parent =
+                *reinterpret_cast<const WideNode<float>*>(first_byte + at.node() * kUnit);
+            const ChildRef child = parent.child[at.slot()];
+            if (child.is_inner()) {
+                node = &child.node_in(nodes);
+                beams = at.beams();
+            } else if (test_slot<kAny>(g, parent, at.slot(), at.beams(), p)) {
+                bound = greatest_bound(p);
+                if (kAny && bound == std::numeric_limits<float>::lowest()) break;
+            }
         }
     }
     if constexpr (!kAny) settle_all(tree, p);
