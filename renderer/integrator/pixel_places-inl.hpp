@@ -104,7 +104,7 @@ void place_runs(CameraColumns& s) {
     alignas(kColumnAlignment) static constexpr std::uint32_t kLanesInOrder[16] = {
         0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     for (std::size_t r = 0; r < s.run_count; ++r) {
-        const PixelRun run = s.runs[r];
+        const PixelRun& run = s.runs[r];
         for (std::uint32_t i = 0; i < run.count; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
             const auto index = hn::Add(hn::Set(d, run.first + i), hn::Load(d, kLanesInOrder));
             const auto order = reversed(d, scrambled(d, reversed(d, index), run.seeds.order));
