@@ -83,7 +83,7 @@ struct Packet {
     const Ray<float>* rays;
     const Exclude* excludes;
     bool some_excluded;
-    alignas(64) std::uint32_t excluded_object[kPacketRays];  ///< only if some_excluded
+    alignas(64) std::uint32_t excluded_object[kPacketRays];  
     alignas(64) std::uint32_t excluded_face[kPacketRays];
     /// Whether bounding triangles by beams has paid lately.
     bool bounds_pay;
