@@ -29,7 +29,11 @@ SceneBuilder forms() {
     }
     for (Vec3d& p : flat.positions) p = p * 0.6 + Vec3d{1, 0.5, 2};
     b.material({0.5, 0.6, 0.1}, {1, 1, 1}, 0.5);
-    b.mesh(flat).triangle({-3, 0, -2}, {3, 0, -2}, {0, 4, -3});
+    // Normals at its vertices that are none.
+    ir::Mesh dull = smooth_tetrahedron();
+    for (Vec3d& n : dull.normals) n = {};
+    for (Vec3d& p : dull.positions) p = p * 0.4 + Vec3d{-0.6, 2.2, 0.5};
+    b.mesh(flat).mesh(dull).triangle({-3, 0, -2}, {3, 0, -2}, {0, 4, -3});
     b.plane({0, 1, 0}, 0);
     b.point_light({-3, 6, 4}, {0.7, 0.6, 0.5});
     b.point_light({4, 3, 5}, {0.3, 0.4, 0.5}, 0, 0.05);
