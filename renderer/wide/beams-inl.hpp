@@ -57,6 +57,13 @@ HWY_INLINE Extremes extremes_of(const float* values) {
             reduce([](auto a, auto b) HWY_ATTR { return hn::Max(a, b); })};
 }
 
+/// The same for what is asked at nodes.
+HWY_INLINE Extremes at_nodes(const Extremes& of) {
+    if constexpr (!Packet::kOneAtNodes) return of;
+    const Packet::D d;
+    return {hn::MinOfLanes(d, of.least), hn::MaxOfLanes(d, of.greatest)};
+}
+
 /// Whose number each lane of a row of Beams has.
 template <std::size_t kTimes>
 struct BeamOfLane {
@@ -130,15 +137,16 @@ inline void gather_beams(Packet& p) {
         // Least of (plane - o) * inverse: with a positive inverse the greatest origin gives the
         // least difference, with a negative one the least origin gives the greatest.
         const bool negative = p.negative[a];
-        spread_to_node(negative ? origin[a].least : origin[a].greatest, beams.to_first[a]);
-        spread_to_node(negative ? origin[a].greatest : origin[a].least, beams.to_last[a]);
-        const Extremes inverse = extremes_of(p.inverse[a]);
+        const Extremes from = at_nodes(origin[a]);
+        spread_to_node(negative ? from.least : from.greatest, beams.to_first[a]);
+        spread_to_node(negative ? from.greatest : from.least, beams.to_last[a]);
+        const Extremes inverse = at_nodes(extremes_of(p.inverse[a]));
         spread_to_node(inverse.least, beams.least_inverse[a]);
         spread_to_node(inverse.greatest, beams.greatest_inverse[a]);
         spread_to_node(hn::Mul(inverse.least, slack), beams.least_far[a]);
         spread_to_node(hn::Mul(inverse.greatest, slack), beams.greatest_far[a]);
     }
-    spread_to_node(extremes_of(p.t_min).least, beams.t_min);
+    spread_to_node(at_nodes(extremes_of(p.t_min)).least, beams.t_min);
     spread_to_node(extremes_of(p.bound).greatest, beams.bound);
     spread_to_block(origin[p.kx], beams, 0);
     spread_to_block(origin[p.ky], beams, 1);
@@ -188,12 +196,13 @@ HWY_INLINE std::uint32_t beam_hits(const WideNode<float>& node, const Packet& p,
     for (std::size_t i = 0; i < kRows; ++i) earliest[i] = never;
     const std::uint32_t asked = beams * 255;
     std::uint32_t bits = 0;
-    for (std::size_t at = 0; at < Beams::kOfNode; at += kLanes) {
-        if ((asked >> at & ((1U << kLanes) - 1)) == 0) continue;
+    constexpr std::size_t kEnd = Packet::kOneAtNodes ? kWidth : Beams::kOfNode;
+    for (std::size_t at = 0; at < kEnd; at += kLanes) {
+        if (!Packet::kOneAtNodes && (asked >> at & ((1U << kLanes) - 1)) == 0) continue;
         const auto bounds = [&](std::size_t row)
                                 HWY_ATTR { return load_children(d, node.bounds[row], at); };
         auto near = hn::Load(d, b.t_min + at);
-        auto far = hn::Load(d, b.bound + at);
+        auto far = Packet::kOneAtNodes ? hn::Set(d, greatest_bound(p)) : hn::Load(d, b.bound + at);
         for (std::size_t a = 0; a < 3; ++a) {
             const bool negative = p.negative[a];
             const auto first =
@@ -212,7 +221,7 @@ HWY_INLINE std::uint32_t beam_hits(const WideNode<float>& node, const Packet& p,
     for (std::size_t i = 0; i < kRows; ++i) {
         store_least(d, earliest[i], begins + i * kLanes);
     }
-    return bits & asked;
+    return (Packet::kOneAtNodes ? bits * kAllBeams : bits) & asked;
 }
 
 /// Which triangles of a block any ray of a beam may meet: a bit for each triangle of the first

@@ -58,6 +58,8 @@ struct Packet {
     static constexpr std::size_t kLanes = hn::MaxLanes(D());
     static constexpr std::size_t kGroups = kPacketRays / kLanes;
     static constexpr std::size_t kBeamGroups = kBeamRays / kLanes;
+    /// With four lanes a node takes two steps a beam: then all rays are one beam at nodes.
+    static constexpr bool kOneAtNodes = kLanes < WideNode<float>::kWidth;
     static constexpr std::uint32_t kNoTriangle = ~0U;
 
     alignas(64) float origin[3][kPacketRays];
@@ -83,7 +85,7 @@ struct Packet {
     const Ray<float>* rays;
     const Exclude* excludes;
     bool some_excluded;
-    alignas(64) std::uint32_t excluded_object[kPacketRays];  
+    alignas(64) std::uint32_t excluded_object[kPacketRays];
     alignas(64) std::uint32_t excluded_face[kPacketRays];
     /// Whether bounding triangles by beams has paid lately.
     bool bounds_pay;

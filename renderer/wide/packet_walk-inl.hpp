@@ -330,14 +330,16 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
             std::uint32_t of_child = hits >> slot & kAllBeams;
             // Shadow rays begin all over the place; where they meet leaves together nonetheless,
             // this costs more than it saves.
-            if (kAny && p.leaf_rays * 2 <= p.leaf_groups * Packet::kLanes) {
+            if (Packet::kOneAtNodes ||
+                (kAny && p.leaf_rays * 2 <= p.leaf_groups * Packet::kLanes)) {
                 of_child = first_beams(*node, slot, of_child, p);
                 if (of_child == 0) continue;
             }
             prefetch_child(tree, node->child[slot]);
             const WaitingPart next(begins[slot], place_of_node, slot, of_child);
+            // The nearest first; any hit may be anywhere, and mostly is not where rays begin.
             std::size_t place = waiting++;
-            while (place > base && stack[place - 1].near() < begins[slot]) {
+            while (!kAny && place > base && stack[place - 1].near() < begins[slot]) {
                 stack[place] = stack[place - 1];
                 --place;
             }
