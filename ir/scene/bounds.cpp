@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "ir/scene/bounds.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 namespace cobble::ir {
 
 namespace {
@@ -35,10 +39,13 @@ BoxBounds<double> shape_bounds(const Scene& scene, const Object& object) {
             break;
         case ShapeKind::kMesh: {
             const Mesh& mesh = scene.meshes[object.shape];
+            // A position belongs to some six faces: looked at once.
+            std::vector<std::uint8_t> used(mesh.positions.size());
             for (const auto& face : mesh.faces) {
-                for (const auto& corner : face.corners) {
-                    add_finite(box, mesh.positions[corner.position]);
-                }
+                for (const auto& corner : face.corners) used[corner.position] = 1;
+            }
+            for (std::size_t i = 0; i < used.size(); ++i) {
+                if (used[i] != 0) add_finite(box, mesh.positions[i]);
             }
             break;
         }

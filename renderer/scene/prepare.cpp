@@ -14,6 +14,7 @@
 #include "renderer/geometry/bounds.hpp"
 #include "renderer/geometry/wide.hpp"
 #include "renderer/scene/instance_bounds.hpp"
+#include "renderer/scene/narrow_mesh.hpp"
 #include "renderer/scene/prepared_scene.hpp"
 #include "renderer/scene/rebase.hpp"
 #include "renderer/scene/shape_bounds.hpp"
@@ -157,8 +158,9 @@ class Preparation {
         switch (object.kind) {
             case ir::ShapeKind::kMesh: {
                 const ir::Mesh& mesh = scene_.meshes[object.shape];
+                const NarrowMesh<T> narrow(mesh, out_.origin);
                 for (std::uint32_t f = 0; f < mesh.faces.size() && !cancelled(); ++f) {
-                    add_triangle(face_vertices<T>(mesh, f, out_.origin), id, f);
+                    add_triangle(narrow.vertices(f), id, f);
                 }
                 break;
             }
@@ -384,8 +386,11 @@ class Preparation {
         PlacedMesh<T> placed;
         std::vector<TrianglePrimitive<T>> triangles;
         std::vector<BuildItem<T>> items;
+        triangles.reserve(mesh.faces.size());
+        items.reserve(mesh.faces.size());
+        const NarrowMesh<T> narrow(mesh, shape_origin);
         for (std::uint32_t f = 0; f < mesh.faces.size() && !cancelled(); ++f) {
-            const auto v = face_vertices<T>(mesh, f, shape_origin);
+            const auto v = narrow.vertices(f);
             if (!usable(v, id, f)) continue;
             items.emplace_back(bounds_of(v), PrimitiveKind::kTriangle,
                                static_cast<std::uint32_t>(triangles.size()));
@@ -460,40 +465,13 @@ class Preparation {
     std::vector<std::uint32_t> placed_mesh_;
 };
 
-template <typename U>
-std::uint64_t bytes_of(const std::vector<U>& v) {
-    return v.size() * sizeof(U);
-}
-
 }  // namespace
-
-template <typename T>
-std::uint64_t PreparedScene<T>::bytes() const {
-    const Geometry<T>& g = geometry;
-    std::uint64_t sum =
-        bytes_of(g.tree.nodes) + bytes_of(g.triangles) + bytes_of(g.spheres) + bytes_of(g.boxes) +
-        bytes_of(g.moving_triangles) + bytes_of(g.moving_spheres) + bytes_of(g.instances) +
-        bytes_of(g.planes) + bytes_of(g.triangle_keys) + bytes_of(g.sphere_keys) +
-        bytes_of(g.plane_keys) + bytes_of(g.instance_keys) + bytes_of(g.places) + bytes_of(notes);
-    const auto add_wide = [&sum](const WideTree<T>& tree) {
-        sum += bytes_of(tree.nodes) + bytes_of(tree.triangles) + bytes_of(tree.spheres);
-    };
-    add_wide(g.wide);
-    sum += bytes_of(g.box_objects);
-    for (const auto& mesh : g.meshes) {
-        sum += bytes_of(mesh.triangles) + bytes_of(mesh.tree.nodes);
-        add_wide(mesh.wide);
-    }
-    return sum;
-}
 
 template <typename T>
 PreparedScene<T> prepare(const ir::Scene& scene, const PrepareOptions& options) {
     return Preparation<T>(scene, options).run();
 }
 
-template struct PreparedScene<float>;
-template struct PreparedScene<double>;
 template PreparedScene<float> prepare(const ir::Scene&, const PrepareOptions&);
 template PreparedScene<double> prepare(const ir::Scene&, const PrepareOptions&);
 
