@@ -25,7 +25,8 @@ constexpr std::uint32_t kSmallSubtree = 4096;
 
 /// How many of a kind one slot of a node can lead to.
 std::uint32_t slot_capacity(PrimitiveKind kind) {
-    return kind == PrimitiveKind::kTriangle || kind == PrimitiveKind::kSphere ? kBlockLanes : 1;
+    if (kind == PrimitiveKind::kTriangle) return kBlockLanes;
+    return kind == PrimitiveKind::kSphere ? kSphereLanes : 1;
 }
 
 /// Some items that lie together, in the caller's array or in the other one.
@@ -187,7 +188,7 @@ class BinaryBuilder {
             }
         }
         std::uint32_t left = task.count / 2;
-        if (task.mixed && task.count <= 2 * kBlockLanes) {
+        if (task.mixed && task.count <= 2 * kSphereLanes) {
             const PrimitiveKind kind = items[0].kind();
             const auto* const end = std::stable_partition(
                 items, items + task.count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "renderer/accel/wide_builder.hpp"
@@ -20,6 +21,14 @@ void set_lane(TriangleBlock<T>& block, std::uint32_t lane, const TrianglePrimiti
     block.face[lane] = from.face;
 }
 
+/// Of lanes behind the last.
+template <typename T>
+void set_empty(TriangleBlock<T>&, std::uint32_t) {}
+template <typename T>
+void set_empty(SphereBlock<T>& block, std::uint32_t lane) {
+    block.object[lane] = {};
+}
+
 template <typename T>
 void set_lane(SphereBlock<T>& block, std::uint32_t lane, const SpherePrimitive<T>& from) {
     for (std::size_t axis = 0; axis < 3; ++axis) block.center[axis][lane] = from.center[axis];
@@ -37,9 +46,10 @@ void fill(std::vector<Block>& blocks, const std::vector<LeafRange>& ranges,
     control.for_each(chunks, [&](std::size_t chunk) {
         const std::size_t end = std::min(ranges.size(), (chunk + 1) * kAtOnce);
         for (std::size_t b = chunk * kAtOnce; b < end; ++b) {
-            for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+            for (std::uint32_t lane = 0; lane < std::size(blocks[b].object); ++lane) {
                 const std::uint32_t from = lane < ranges[b].count ? lane : 0;
                 set_lane(blocks[b], lane, primitives[items[ranges[b].first + from].index()]);
+                if (lane >= ranges[b].count) set_empty(blocks[b], lane);
             }
         }
     });

@@ -9,6 +9,7 @@
 
 #include "renderer/accel/binary_builder.hpp"
 #include "renderer/accel/half_area.hpp"
+#include "renderer/accel/slot_order.hpp"
 
 namespace cobble::renderer {
 
@@ -143,17 +144,28 @@ class Collapse {
                 halve(share.binary, plan.left[share.slots - 1], share.slots);
             }
         }
+        std::array<BoxBounds<T>, kWidth> boxes;
+        for (std::size_t i = 0; i < count; ++i) boxes[i] = binary_[children[i]].bounds();
+        const auto slots =
+            slots_by_corner<T>(binary_[at.binary].bounds(), std::span(boxes).first(count));
         WideNode<T> node;
         const BoxBounds<T> empty;
         for (std::size_t i = 0; i < kWidth; ++i) {
-            const BoxBounds<T> b = i < count ? binary_[children[i]].bounds() : empty;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                node.bounds[axis][i] = b.lo[axis];
-                node.bounds[3 + axis][i] = b.hi[axis];
-            }
-            node.child[i] = i < count ? slot(children[i]) : ChildRef::inner(0);
+            set_slot(node, i, empty);
+            node.child[i] = ChildRef::inner(0);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            set_slot(node, slots[i], boxes[i]);
+            node.child[slots[i]] = slot(children[i]);
         }
         out_.nodes[at.wide] = node;
+    }
+
+    static void set_slot(WideNode<T>& node, std::size_t slot, const BoxBounds<T>& box) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            node.bounds[axis][slot] = box.lo[axis];
+            node.bounds[3 + axis][slot] = box.hi[axis];
+        }
     }
 
     ChildRef slot(std::uint32_t child) {
@@ -172,6 +184,7 @@ class Collapse {
         } else if (kind == PrimitiveKind::kSphere) {
             index = static_cast<std::uint32_t>(out_.sphere_blocks.size());
             out_.sphere_blocks.push_back({from.at, from.count});
+            return ChildRef::leaf(kind, index, 1);
         }
         return ChildRef::leaf(kind, index, from.count);
     }

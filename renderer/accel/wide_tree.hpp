@@ -15,7 +15,7 @@
 
 namespace cobble::renderer {
 
-/// What a slot of a node leads to, in 32 bits: a kind, up to four primitives, and where they are.
+/// What a slot of a node leads to, in 32 bits: a kind, how many triangles, and where they are.
 class ChildRef {
   public:
     static constexpr std::uint32_t kMostIndex = (1U << 27) - 1;
@@ -26,7 +26,8 @@ class ChildRef {
     /// `node` is at most kMostNode.
     static constexpr ChildRef inner(std::uint32_t node) { return ChildRef(node * kNodeUnits); }
     static constexpr std::uint32_t kMostNode = ((1U << 29) - 1) / kNodeUnits;
-    /// `index` is a block for triangles and spheres, else the primitive. `count` is 1 to 4.
+    /// `index` is a block for triangles and spheres, else the primitive. `count`: the triangles of
+    /// the block; 1 for all others.
     static constexpr ChildRef leaf(PrimitiveKind kind, std::uint32_t index, std::uint32_t count) {
         return ChildRef((static_cast<std::uint32_t>(kind) + 1) << 29 | (count - 1) << 27 | index);
     }
@@ -77,11 +78,14 @@ struct alignas(4 * sizeof(T)) TriangleBlock {
     std::uint32_t face[kBlockLanes];
 };
 
+inline constexpr std::size_t kSphereLanes = 8;
+
+/// Up to eight spheres. The lanes behind the last repeat the first, but for their object: none.
 template <typename T>
-struct alignas(16) SphereBlock {
-    T center[3][kBlockLanes];
-    T radius[kBlockLanes];
-    ir::ObjectId object[kBlockLanes];
+struct alignas(32) SphereBlock {
+    T center[3][kSphereLanes];
+    T radius[kSphereLanes];
+    ir::ObjectId object[kSphereLanes];
 };
 
 /// Nodes from the root at 0, each subtree's together; none if there is nothing in it.

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "renderer/accel/wide_tree.hpp"
 #include "renderer/geometry/slab.hpp"
@@ -62,7 +63,7 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
-/// What a ray spans of a node's boxes.
+/// What a ray spans of a node's boxes: those are met that it leaves not before it enters.
 template <typename T>
 struct NodeSpans {
     alignas(64) T begins[WideNode<T>::kWidth];
@@ -102,11 +103,12 @@ HWY_INLINE std::uint32_t node_hits(const WideNode<T>& node, const SlabLanes<T>& 
             far = hn::Min(far, hn::Mul(hn::Sub(row(ray.rows->far[a], part), ray.origin[a]),
                                        ray.inverse_far[a]));
         }
-        auto met = hn::Le(near, far);
-        if constexpr (kParallel) met = hn::And(met, inside);
+        if constexpr (kParallel) {
+            far = hn::IfThenElse(inside, far, hn::Set(d, std::numeric_limits<T>::lowest()));
+        }
         hn::Store(near, d, spans.begins + part);
         hn::Store(far, d, spans.ends + part);
-        bits |= bits_of(d, met) << part;
+        bits |= bits_of(d, hn::Le(near, far)) << part;
     }
     return bits;
 }

@@ -71,6 +71,38 @@ HWY_INLINE GroupSpans group_spans(const BoxBounds<float>& box, const Packet& p, 
     return spans;
 }
 
+/// The rays of a group whose lines may meet a sphere: all others surely miss it, by the sign of
+/// b^2 - a (f^2 - r^2), which float has within 24 u a (f^2 + r^2): see guess_spheres() for the
+/// names.
+HWY_INLINE std::uint32_t may_meet(const SphereBlock<float>& block, std::size_t lane,
+                                  const Packet& p, std::size_t group) {
+    const Packet::D d;
+    const std::size_t at = group * Packet::kLanes;
+    const auto along = [&](std::size_t axis)
+                           HWY_ATTR { return hn::Load(d, p.direction[axis] + at); };
+    const auto relative = [&](std::size_t axis) HWY_ATTR {
+        return hn::Sub(hn::Load(d, p.origin[axis] + at), hn::Set(d, block.center[axis][lane]));
+    };
+    const auto fx = relative(0);
+    const auto fy = relative(1);
+    const auto fz = relative(2);
+    const auto dx = along(0);
+    const auto dy = along(1);
+    const auto dz = along(2);
+    const auto a = dot_lanes(d, dx, dy, dz, dx, dy, dz);
+    const auto b = dot_lanes(d, fx, fy, fz, dx, dy, dz);
+    const auto square = hn::Set(d, block.radius[lane] * block.radius[lane]);
+    const auto far = dot_lanes(d, fx, fy, fz, fx, fy, fz);
+    // What underflows is below the second summand, if the direction's length is not extreme.
+    const auto slack = hn::Add(hn::Mul(hn::Set(d, 64 * kRounding<float>), hn::Add(far, square)),
+                               hn::Set(d, 0x1p-80F));
+    const auto least = hn::Mul(a, hn::Sub(hn::Sub(far, square), slack));
+    const auto bounded = hn::And(hn::Ge(a, hn::Set(d, 0x1p-40F)), hn::Le(a, hn::Set(d, 0x1p40F)));
+    const auto missed = hn::And(hn::And(bounded, hn::Gt(least, hn::Mul(b, b))),
+                                hn::Le(least, hn::Set(d, std::numeric_limits<float>::max())));
+    return bits_of(d, hn::Not(missed));
+}
+
 /// The rays of a group that meet a sphere, and where: intersect_sphere() and what test_sphere()
 /// makes of it, bit for bit.
 struct SphereHits {
@@ -136,10 +168,12 @@ template <bool kAny>
 HWY_INLINE void test_sphere_group(const Geometry<float>& g, ChildRef at, std::uint32_t rays,
                                   Packet& p, std::size_t group) {
     const SphereBlock<float>& block = g.wide.spheres[at.index()];
-    for (std::size_t lane = 0; lane < at.count(); ++lane) {
-        SphereHits hits;
-        std::uint32_t bits = meet_sphere(block, lane, p, group, rays, hits);
+    for (std::size_t lane = 0; lane < kSphereLanes && block.object[lane].valid(); ++lane) {
         p.primitive_tests += Packet::kLanes;
+        const std::uint32_t open = rays & may_meet(block, lane, p, group);
+        if (open == 0) continue;
+        SphereHits hits;
+        std::uint32_t bits = meet_sphere(block, lane, p, group, open, hits);
         const ir::ObjectId object = block.object[lane];
         while (bits != 0) {
             const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);

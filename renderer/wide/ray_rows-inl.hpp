@@ -12,6 +12,7 @@
 
 #include <hwy/highway.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,6 +35,8 @@ struct RayLanes {
     SlabLanes<T> slabs;
     ShearAxes axes;
     T sx, sy;
+    /// 1 over the direction's length and over its square.
+    T per_length, per_square;
     std::uint32_t signs;  ///< a bit for each axis along which the ray runs backward
     const T* origin;
     const T* direction;
@@ -48,6 +51,8 @@ struct RayLanes {
                static_cast<std::uint8_t>(forms.shear.kz)},
           sx(forms.shear.sx),
           sy(forms.shear.sy),
+          per_length(0),
+          per_square(0),
           signs(0),
           origin(&forms.slabs.origin.x),
           direction(&forms.shear.direction.x),
@@ -56,14 +61,21 @@ struct RayLanes {
           stride(1),
           parallel(forms.slabs.any_parallel ? forms.slabs.parallel : nullptr) {
         for (std::uint32_t a = 0; a < 3; ++a) signs |= std::uint32_t{forms.slabs.negative[a]} << a;
+        const T square = (direction[0] * direction[0] + direction[1] * direction[1]) +
+                         direction[2] * direction[2];
+        per_square = 1 / square;
+        per_length = 1 / std::sqrt(square);
         spread();
     }
 
     RayLanes(const T* from, const T* along, const T* inverses, const T* far_inverses,
-             std::size_t step, std::uint32_t backward, ShearAxes of_shear, T x, T y)
+             std::size_t step, std::uint32_t backward, ShearAxes of_shear, T x, T y, T over_length,
+             T over_square)
         : axes(of_shear),
           sx(x),
           sy(y),
+          per_length(over_length),
+          per_square(over_square),
           signs(backward),
           origin(from),
           direction(along),
@@ -135,7 +147,9 @@ class RayRows {
                 code & 7,
                 kAxes[code >> 3],
                 sx_[i],
-                sy_[i]};
+                sy_[i],
+                per_length_[i],
+                per_square_[i]};
     }
 
   private:
@@ -168,6 +182,10 @@ class RayRows {
         const auto x = hn::Load(d, direction[0] + at);
         const auto y = hn::Load(d, direction[1] + at);
         const auto z = hn::Load(d, direction[2] + at);
+        const auto square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+        const auto one = hn::Set(d, T(1));
+        hn::Store(hn::Div(one, square), d, per_square_ + at);
+        hn::Store(hn::Div(one, hn::Sqrt(square)), d, per_length_ + at);
         const auto x_over_y = hn::Gt(hn::Abs(x), hn::Abs(y));
         const auto main_x = hn::And(x_over_y, hn::Gt(hn::Abs(x), hn::Abs(z)));
         const auto main_y = hn::And(hn::Not(x_over_y), hn::Gt(hn::Abs(y), hn::Abs(z)));
@@ -194,6 +212,8 @@ class RayRows {
     alignas(64) T inverse_far_[3][kRays];
     alignas(64) T sx_[kRays];
     alignas(64) T sy_[kRays];
+    alignas(64) T per_length_[kRays];
+    alignas(64) T per_square_[kRays];
     /// The signs, the place in kAxes, and kOdd, packed.
     alignas(64) U codes_[kRays];
 };

@@ -30,8 +30,7 @@ HWY_INLINE void search_mesh(const WideTree<T>& tree, const RayLanes<T>& ray,
     walk_wide<kAny, kParallel>(
         tree, NoBoxSlots(), ray, forms,
         search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
-            return at.is_end() ||
-                   test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), object, ray,
+            return test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), object, ray,
                                                forms, search);
         });
 }
@@ -78,19 +77,28 @@ template <bool kAny, bool kParallel, typename T, typename Boxes>
 HWY_INLINE void search_world(const Geometry<T>& g, Boxes boxes, const RayLanes<T>& ray,
                              FormsOnDemand<T>& forms, Search<T>& search) {
     const WideTree<T>& tree = g.wide;
+    // Boxes in slots must know the best hit.
+    constexpr bool kWait = !kAny && !Boxes::kSome && sizeof(T) == sizeof(float);
+    [[maybe_unused]] WaitingSphere waiting;
     walk_wide<kAny, kParallel>(
         tree, boxes, ray, forms, search, [&](ChildRef at) HWY_ATTR __attribute__((always_inline)) {
+            if (at.kind() == PrimitiveKind::kSphere) {
+                if constexpr (kWait) {
+                    waiting.meet(tree.spheres[at.index()], ray, forms, search);
+                    return false;
+                } else {
+                    return test_spheres<kAny>(tree.spheres[at.index()], ray, forms, search);
+                }
+            }
+            if constexpr (kWait) waiting.settle(forms, search);
             if (HWY_LIKELY(at.kind() == PrimitiveKind::kTriangle)) {
                 return test_block<kAny, kParallel>(tree.triangles[at.index()], at.count(), {}, ray,
                                                    forms, search);
             }
-            if (at.kind() == PrimitiveKind::kSphere) {
-                return test_spheres<kAny>(tree.spheres[at.index()], at.count(), ray, forms, search);
-            }
-            if (kAny && at.is_end()) return true;
             test_leaf<kAny>(g, at, forms.get(), search);
             return kAny && search.best.object.valid();
         });
+    if constexpr (kWait) waiting.settle(forms, search);
 }
 
 template <typename T>

@@ -11,7 +11,6 @@
 
 #include <hwy/highway.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -52,55 +51,75 @@ HWY_INLINE SphereTerms<V> sphere_terms(D d, V fx, V fy, V fz, V dx, V dy, V dz, 
     return terms;
 }
 
-/// The lanes that the line of the ray meets: the discriminant of intersect_sphere(), bit for bit.
-HWY_INLINE std::uint32_t met_spheres(const SphereBlock<float>& block, const RayForms<float>& ray) {
-    using D = hn::CappedTag<double, kBlockLanes>;
+/// A lane for each of the lowest bits.
+template <class D>
+HWY_INLINE hn::Mask<D> left_mask(D d, std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+    return hn::LoadMaskBits(d, bytes);
+}
+
+/// The lanes of a block that belong to an object.
+template <typename T>
+HWY_INLINE std::uint32_t spheres_of(const SphereBlock<T>& block, ir::ObjectId object) {
+    using D = hn::CappedTag<std::uint32_t, kSphereLanes>;
     const D d;
-    const hn::Rebind<float, D> df;
-    constexpr std::size_t kLanes = hn::MaxLanes(D());
-    const math::Vec3d along = widen(ray.shear.direction);
-    const auto dx = hn::Set(d, along.x);
-    const auto dy = hn::Set(d, along.y);
-    const auto dz = hn::Set(d, along.z);
     std::uint32_t bits = 0;
-    for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
-        const auto relative = [&](std::size_t axis) HWY_ATTR {
-            return hn::Sub(hn::Set(d, double{ray.shear.origin[axis]}),
-                           hn::PromoteTo(d, hn::Load(df, block.center[axis] + part)));
-        };
-        const auto r = hn::PromoteTo(d, hn::Load(df, block.radius + part));
-        const auto rest =
-            sphere_terms(d, relative(0), relative(1), relative(2), dx, dy, dz, r).rest;
-        bits |= bits_of(d, hn::Ge(rest, hn::Zero(d))) << part;
+    for (std::size_t part = 0; part < kSphereLanes; part += hn::MaxLanes(D())) {
+        const auto of = hn::Load(d, &block.object[part].value);
+        bits |= bits_of(d, hn::Eq(of, hn::Set(d, object.value))) << part;
     }
     return bits;
 }
+/// The lanes that hold a sphere.
+template <typename T>
+HWY_INLINE std::uint32_t all_spheres(const SphereBlock<T>& block) {
+    return ~spheres_of(block, {}) & ((1U << kSphereLanes) - 1);
+}
 
-/// The lanes that may hold a better hit: all others are surely missed, lie behind or too far, or
-/// are what the ray leaves for the outside. In float, with room for what float rounds away.
+/// What float tells of a block of spheres.
+struct SphereGuess {
+    std::uint32_t open;  ///< may hold a better hit: all others surely do not
+    std::uint32_t sure;  ///< those of them that surely are hits, were nothing nearer
+    /// The t of the sure ones: not below, not above.
+    alignas(32) float least[kSphereLanes];
+    alignas(32) float most[kSphereLanes];
+};
+
+/// Left open are those that are not surely missed, behind, too far, or what the ray leaves for the
+/// outside. In float, with room for what float rounds away.
 ///
-/// With f from the centre to the origin, u half the distance from 1 to the next number, and l from
-/// the centre to where the line comes nearest: f is off by 1 u of itself, the nearest t by 7 u of
-/// |f| over the direction's length, so that l is off by less than 24 u |f| and its square by less
-/// than 51 u f^2.
-HWY_INLINE std::uint32_t open_spheres(const SphereBlock<float>& block, const RayLanes<float>& ray,
-                                      const Search<float>& search) {
-    using D = hn::CappedTag<float, kBlockLanes>;
+/// With f from the centre to the origin, u half the distance from 1 to the next number, l from the
+/// centre to where the line comes nearest, and lengths in units of the direction's: f is off by 1 u
+/// of itself and the nearest t by 7 u |f|, so that l is off by less than 24 u |f| and its square by
+/// less than 51 u f^2. Half of what the line spans inside is the root of r^2 - l^2: with 64 u
+/// (f^2 + r^2) added or taken away it is too wide or too narrow by at least 13 u f^2 / 2 h, and 64
+/// u of itself, h, more. The least that both can be together is 40 u |f|, well above the error of
+/// the nearest t, of the slabs of the sphere's box and of the sums here.
+HWY_INLINE void guess_spheres(const SphereBlock<float>& block, const RayLanes<float>& ray,
+                              Search<float>& search, SphereGuess& guess) {
+    using D = hn::CappedTag<float, kSphereLanes>;
     const D d;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
     constexpr float kSlack = 64 * kRounding<float>;
-    const float* const v = ray.direction;
-    const float square = (v[0] * v[0] + v[1] * v[1]) + v[2] * v[2];
+    const std::uint32_t there = all_spheres(block);
+    search.primitive_tests += hwy::PopCount(there);
+    guess.open = there;
+    guess.sure = 0;
     // Beyond these the bounds above do not hold.
-    if (!(square >= 0x1p-100F && square <= 0x1p100F)) return (1U << kBlockLanes) - 1;
-    const auto inverse = hn::Set(d, 1 / square);
-    const auto inverse_length = hn::Set(d, 1 / std::sqrt(square));
+    if (!(ray.per_square >= 0x1p-100F && ray.per_square <= 0x1p100F)) return;
+    guess.open = 0;
+    const std::uint32_t left = spheres_of(block, search.exclude.object);
+    const float* const v = ray.direction;
+    const auto inverse = hn::Set(d, ray.per_square);
+    const auto inverse_length = hn::Set(d, ray.per_length);
     const auto dx = hn::Set(d, v[0]);
     const auto dy = hn::Set(d, v[1]);
     const auto dz = hn::Set(d, v[2]);
     const auto slack = hn::Set(d, kSlack);
-    std::uint32_t bits = 0;
-    for (std::size_t part = 0; part < kBlockLanes; part += kLanes) {
+    const auto zero = hn::Zero(d);
+    const auto t_min = hn::Set(d, search.t_min);
+    const auto best = hn::Set(d, search.best.t);
+    for (std::size_t part = 0; part < kSphereLanes; part += kLanes) {
         const auto relative = [&](std::size_t axis) HWY_ATTR {
             return hn::Sub(hn::Set(d, ray.origin[axis]), hn::Load(d, block.center[axis] + part));
         };
@@ -112,35 +131,109 @@ HWY_INLINE std::uint32_t open_spheres(const SphereBlock<float>& block, const Ray
         const auto lx = hn::Add(fx, hn::Mul(dx, q));
         const auto ly = hn::Add(fy, hn::Mul(dy, q));
         const auto lz = hn::Add(fz, hn::Mul(dz, q));
-        const auto surplus = hn::Sub(dot_lanes(d, lx, ly, lz, lx, ly, lz),
-                                     hn::Mul(slack, dot_lanes(d, fx, fy, fz, fx, fy, fz)));
-        const auto reach = hn::Add(hn::Mul(hn::Add(hn::Set(d, 1.0F), slack), hn::Mul(r, r)),
-                                   hn::Set(d, std::numeric_limits<float>::min()));
-        auto missed = hn::And(hn::Gt(surplus, reach),
-                              hn::Le(surplus, hn::Set(d, std::numeric_limits<float>::max())));
-        // Where the line is inside, if it is at all, and a little around that.
-        const auto half = hn::Mul(r, inverse_length);
-        const auto wide = hn::Add(half, hn::Mul(slack, hn::Add(hn::Abs(q), hn::Add(half, half))));
-        missed = hn::Or(missed, hn::Gt(hn::Sub(q, wide), hn::Set(d, search.best.t)));
-        missed = hn::Or(missed, hn::Lt(hn::Add(q, wide), hn::Set(d, search.t_min)));
-        bits |= bits_of(d, hn::Not(missed)) << part;
+        const auto square = hn::Mul(r, r);
+        const auto rest = hn::Sub(square, dot_lanes(d, lx, ly, lz, lx, ly, lz));
+        const auto off =
+            hn::Add(hn::Mul(slack, hn::Add(dot_lanes(d, fx, fy, fz, fx, fy, fz), square)),
+                    hn::Set(d, std::numeric_limits<float>::min()));
+        const auto most = hn::Add(rest, off);
+        const auto least = hn::Sub(rest, off);
+        const auto missed = hn::And(hn::Lt(most, zero),
+                                    hn::Ge(most, hn::Set(d, std::numeric_limits<float>::lowest())));
+        if (hn::AllTrue(d, missed)) continue;
+        const auto meets = hn::Gt(least, zero);
+        // What is no number stays none, and leaves the lane open.
+        const auto half =
+            hn::Mul(hn::Sqrt(hn::IfThenZeroElse(hn::Lt(most, zero), most)), inverse_length);
+        const auto inner_half = hn::Mul(hn::Sqrt(hn::IfThenElseZero(meets, least)), inverse_length);
+        const auto wide = hn::Mul(slack, hn::Add(hn::Abs(q), half));
+        const auto outer = hn::Add(half, wide);
+        const auto inner = hn::Sub(inner_half, wide);
+        const auto near_least = hn::Sub(q, outer);
+        const auto near_most = hn::Sub(q, inner);
+        const auto far_least = hn::Add(q, inner);
+        const auto far_most = hn::Add(q, outer);
+        const auto out = hn::Or(missed, hn::Or(hn::Gt(near_least, best), hn::Lt(far_most, t_min)));
+        guess.open |= bits_of(d, hn::Not(out)) << part;
+        const auto leaves = left_mask(d, left >> part);
+        const auto enters = hn::AndNot(leaves, hn::Gt(near_least, t_min));
+        const auto decided = hn::Or(enters, hn::Or(leaves, hn::Le(near_most, t_min)));
+        const auto t_least = hn::IfThenElse(enters, near_least, far_least);
+        const auto t_most = hn::IfThenElse(enters, near_most, far_most);
+        hn::Store(t_least, d, guess.least + part);
+        hn::Store(t_most, d, guess.most + part);
+        const auto sure =
+            hn::And(hn::And(meets, decided), hn::And(hn::Gt(t_least, t_min), hn::Lt(t_most, best)));
+        guess.sure |= bits_of(d, sure) << part;
     }
-    if (search.exclude.goes_inside) return bits;
-    for (std::uint32_t i = 0; i < kBlockLanes; ++i) {
-        if (block.object[i] == search.exclude.object) bits &= ~(1U << i);
-    }
-    return bits;
+    guess.open &= search.exclude.goes_inside ? there : there & ~left;
+    guess.sure &= guess.open;
 }
+
+/// The nearest sphere so far, as float has it: its t is not computed before something comes near.
+class WaitingSphere {
+  public:
+    /// The closest hit of a block.
+    HWY_INLINE void meet(const SphereBlock<float>& block, const RayLanes<float>& ray,
+                         FormsOnDemand<float>& forms, Search<float>& search) {
+        SphereGuess guess;
+        guess_spheres(block, ray, search, guess);
+        std::uint32_t bits = guess.open;
+        while (bits != 0) {
+            const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+            bits &= bits - 1;
+            if (HWY_LIKELY((guess.sure >> i & 1) != 0)) {
+                const float nearest = block_ != nullptr ? least_ : search.best.t;
+                if (guess.most[i] < nearest) {
+                    block_ = &block;
+                    lane_ = i;
+                    least_ = guess.least[i];
+                    search.best.t = guess.most[i];
+                    continue;
+                }
+                if (guess.least[i] > search.best.t) continue;
+            }
+            settle(forms, search);
+            test_lane(block, i, forms, search);
+        }
+    }
+    /// Computes what waits.
+    HWY_INLINE void settle(FormsOnDemand<float>& forms, Search<float>& search) {
+        if (block_ == nullptr) return;
+        // It is nearer than what it has put aside.
+        search.best.t = std::numeric_limits<float>::max();
+        search.best.object = {};
+        test_lane(*block_, lane_, forms, search);
+        block_ = nullptr;
+    }
+
+    static HWY_INLINE void test_lane(const SphereBlock<float>& block, std::size_t i,
+                                     FormsOnDemand<float>& forms, Search<float>& search) {
+        test_sphere(forms.get(), {block.center[0][i], block.center[1][i], block.center[2][i]},
+                    block.radius[i], block.object[i], search);
+    }
+
+  private:
+    const SphereBlock<float>* block_ = nullptr;
+    std::size_t lane_ = 0;
+    float least_ = 0;
+};
 
 /// True if any hit is asked for and found.
 template <bool kAny, typename T>
-HWY_INLINE bool test_spheres(const SphereBlock<T>& block, std::uint32_t count,
-                             const RayLanes<T>& ray, FormsOnDemand<T>& forms, Search<T>& search) {
-    std::uint32_t bits = (1U << count) - 1;
+HWY_INLINE bool test_spheres(const SphereBlock<T>& block, const RayLanes<T>& ray,
+                             FormsOnDemand<T>& forms, Search<T>& search) {
+    std::uint32_t bits;
     if constexpr (sizeof(T) == sizeof(float)) {
-        bits &= open_spheres(block, ray, search);
-        // With several left most are missed by little, and four roots cost no more than one.
-        if ((bits & (bits - 1)) != 0) bits &= met_spheres(block, forms.get());
+        SphereGuess guess;
+        guess_spheres(block, ray, search, guess);
+        bits = guess.open;
+        if (kAny && guess.sure != 0) {
+            search.best.object = block.object[hwy::Num0BitsBelowLS1Bit_Nonzero32(guess.sure)];
+            return true;
+        }
+    } else {
+        bits = all_spheres(block);
     }
     while (bits != 0) {
         const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);

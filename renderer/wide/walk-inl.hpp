@@ -19,6 +19,7 @@
 #include "renderer/accel/wide_tree.hpp"
 #include "renderer/query/query.hpp"
 #include "renderer/wide/lanes-inl.hpp"
+#include "renderer/wide/pairs-inl.hpp"
 #include "renderer/wide/ray_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -105,10 +106,10 @@ struct WaitingChild {
 };
 
 /// Walks one tree, the nearest child first; `leaf(child)` is asked for each leaf that may hold a
-/// better hit.
+/// better hit. Where boxes are slots: what is met first hides most of the rest.
 template <bool kParallel, typename T, typename Boxes, typename Leaf>
-HWY_INLINE void walk_closest(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
-                             FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
+HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
+                                   FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
     if (tree.nodes.empty()) return;
     constexpr std::size_t kWidth = WideNode<T>::kWidth;
     const WideNode<T>* const nodes = tree.nodes.data();
@@ -171,87 +172,14 @@ HWY_INLINE void walk_closest(const WideTree<T>& tree, Boxes boxes, const RayLane
     }
 }
 
-/// For each set of slots where they go on the stack: a byte for each, the set's first slots first.
-struct SlotOrder {
-    std::uint8_t slots[256][8];
-};
-constexpr SlotOrder make_slot_order() {
-    SlotOrder order{};
-    for (std::uint32_t bits = 0; bits < 256; ++bits) {
-        std::uint32_t n = 0;
-        for (std::uint8_t slot = 0; slot < 8; ++slot) {
-            if ((bits >> slot & 1) != 0) order.slots[bits][n++] = slot;
-        }
-    }
-    return order;
-}
-inline constexpr SlotOrder kSlotOrder = make_slot_order();
-
-/// Stores the children in `bits` one behind the other, and something behind them, eight in all.
-template <typename T>
-HWY_INLINE void store_children(const WideNode<T>& node, std::uint32_t bits, ChildRef* to) {
-    using D = hn::CappedTag<std::uint32_t, WideNode<T>::kWidth>;
-    const D d;
-    constexpr std::size_t kLanes = hn::MaxLanes(D());
-    const auto* const from = reinterpret_cast<const std::uint32_t*>(node.child);
-    if constexpr (kLanes == WideNode<T>::kWidth) {
-        const hn::Rebind<std::uint8_t, D> du8;
-        const auto order = hn::PromoteTo(d, hn::Load(du8, kSlotOrder.slots[bits]));
-        const auto children = hn::TableLookupLanes(hn::Load(d, from), hn::IndicesFromVec(d, order));
-        hn::StoreU(children, d, reinterpret_cast<std::uint32_t*>(to));
-    } else {
-        for (; bits != 0; bits &= bits - 1) {
-            *to++ = node.child[hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
-        }
-    }
-}
-
-/// A walk that ends at the first hit, whichever it is: there is no order to keep, and so no branch
-/// for how many children are met. What is farther than the end is never on the stack. `leaf` is
-/// asked for ChildRef::end() too, at last, and says whether the walk is over.
-template <bool kParallel, typename T, typename Boxes, typename Leaf>
-HWY_INLINE void walk_any(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
-                         FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
-    if (tree.nodes.empty()) return;
-    constexpr std::size_t kWidth = WideNode<T>::kWidth;
-    const WideNode<T>* const nodes = tree.nodes.data();
-    // store_children() writes eight, of which the met ones count.
-    ChildRef stack[kMaxTreeDepth * (kWidth - 1) + 2 * kWidth + 1];
-    ChildRef* top = stack;
-    *top++ = ChildRef::end();
-    ChildRef at = ChildRef::inner(0);
-    std::uint64_t steps = 0;
-    for (;;) {
-        const WideNode<T>& node = at.node_in(nodes);
-        ++steps;
-        NodeSpans<T> spans;
-        std::uint32_t bits =
-            node_hits<kParallel>(node, ray.slabs, ray.parallel, search.t_min, search.best.t, spans);
-        bits = boxes.template test<true, T>(node, bits, spans, forms, search);
-        if (Boxes::kSome && search.best.object.valid()) {
-            search.box_tests += steps * kWidth;
-            return;
-        }
-        store_children(node, bits, top);
-        top += hwy::PopCount(bits);
-        at = *--top;
-        while (!at.is_inner()) {
-            if (leaf(at)) {
-                search.box_tests += steps * kWidth;
-                return;
-            }
-            at = *--top;
-        }
-    }
-}
-
+/// Any hit where `leaf` may say that it is found.
 template <bool kAny, bool kParallel, typename T, typename Boxes, typename Leaf>
 HWY_INLINE void walk_wide(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
                           FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
-    if constexpr (kAny) {
-        walk_any<kParallel>(tree, boxes, ray, forms, search, leaf);
+    if constexpr (kAny || !Boxes::kSome) {
+        walk_pairs<kAny, kParallel>(tree, boxes, ray, forms, search, leaf);
     } else {
-        walk_closest<kParallel>(tree, boxes, ray, forms, search, leaf);
+        walk_nearest_first<kParallel>(tree, boxes, ray, forms, search, leaf);
     }
 }
 
