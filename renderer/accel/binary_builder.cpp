@@ -16,9 +16,6 @@ namespace {
 /// Below this many items fewer bins are as good, and cost less than the items do.
 constexpr std::uint32_t kFewItems = 24;
 constexpr std::uint32_t kFewBins = 8;
-/// From here on the items are halved whatever the heuristic says, so that no tree is deeper than
-/// kMaxTreeDepth (see builder.cpp).
-constexpr std::uint32_t kHalvingDepth = 40;
 /// A subtree of at most this share of all items, or this many, is built by one worker.
 constexpr std::uint32_t kShares = 16;
 constexpr std::uint32_t kSmallSubtree = 4096;

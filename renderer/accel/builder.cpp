@@ -14,10 +14,6 @@ namespace {
 constexpr std::uint32_t kBins = 16;
 /// A leaf is tested about as fast as one step of the traversal, which costs some 4 scalar tests.
 constexpr std::uint32_t kMaxLeaf = 4;
-/// From here on the items are halved whatever the heuristic says. 40 levels and the 32 that halving
-/// 2^32 items takes, with 6 to part kinds, stay below kMaxTreeDepth.
-constexpr std::uint32_t kHalvingDepth = 40;
-static_assert(kHalvingDepth + 32 + kPrimitiveKinds < kMaxTreeDepth);
 
 template <typename T>
 struct BinaryNode {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Which slot of a wide node each child gets: the one that lies in its direction, so that slots in
-// the order of their numbers, each with the ray's signs taken from it by exclusive or, come from
-// far to near, more or less, for any ray (Ylitie, Karras and Laine, Efficient Incoherent Ray
-// Traversal on GPUs Through Compressed Wide BVHs, 2017, section 3.2).
+// the order of their numbers, each turned by exclusive or with a bit for each axis along which the
+// ray runs forward, come from far to near, more or less, for any ray (Ylitie, Karras and Laine,
+// Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, 2017).
 #pragma once
 
 #include <array>

@@ -47,6 +47,10 @@ struct Tree {
 /// Levels that any tree may have, by construction (see the builder), and so the bound for the stack
 /// of a traversal: at most Node::kWidth - 1 entries wait at each level.
 inline constexpr std::size_t kMaxTreeDepth = 80;
+/// From this level on builders halve items, at most 2^32 of them, whatever their heuristic says,
+/// and part what is left by its kind.
+inline constexpr std::uint32_t kHalvingDepth = 40;
+static_assert(kHalvingDepth + 32 + kPrimitiveKinds < kMaxTreeDepth);
 inline constexpr std::size_t kTraversalStack = kMaxTreeDepth * 3 + 4;
 
 }  // namespace cobble::renderer

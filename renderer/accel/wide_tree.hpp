@@ -2,8 +2,8 @@
 // The fast core's tree: eight children a node, leaves laid out for SIMD.
 //
 // One layout serves every instruction set: a kernel with four lanes takes a node in two steps. What
-// a leaf holds stands beside each other by coordinate, four primitives at a time; a box needs no
-// leaf at all, since a node's slot is a box.
+// a leaf holds stands beside each other by coordinate, four triangles or eight spheres at a time; a
+// box needs no leaf at all, since a node's slot is a box.
 #pragma once
 
 #include <cstddef>
@@ -32,11 +32,7 @@ class ChildRef {
         return ChildRef((static_cast<std::uint32_t>(kind) + 1) << 29 | (count - 1) << 27 | index);
     }
 
-    /// None of these: what a walk finds when nothing waits any more.
-    static constexpr ChildRef end() { return ChildRef(~0U); }
-
     [[nodiscard]] constexpr bool is_inner() const { return bits_ >> 29 == 0; }
-    [[nodiscard]] constexpr bool is_end() const { return bits_ == ~0U; }
     [[nodiscard]] constexpr PrimitiveKind kind() const {
         return static_cast<PrimitiveKind>((bits_ >> 29) - 1);
     }

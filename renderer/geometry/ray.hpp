@@ -17,7 +17,7 @@ template <typename T>
 struct Ray {
     math::Vec3<T> origin;
     math::Vec3<T> direction;
-    T t_min = 0;
+    T t_min = 0;  ///< not below 0: far ends of spans are widened by multiplying
     T t_max = std::numeric_limits<T>::infinity();
     T time = 0;  ///< of the shutter, 0 to 1; only moving things look at it
 };

@@ -26,15 +26,16 @@ struct RaySlabs {
     math::Vec3<T> inverse;      ///< of the direction; 0 along a parallel axis
     math::Vec3<T> inverse_far;  ///< times kFarSlack
     bool negative[3];
-    /// The direction's component is 0, or so small that its inverse is infinite: the box's own
-    /// extent decides, by comparison with the origin, never by 0 times infinity.
+    /// The direction's component is 0, or so small that its inverse is infinite, or would be once
+    /// it is widened: the box's own extent decides, by comparison with the origin, never by 0 times
+    /// infinity.
     bool parallel[3];
     bool any_parallel = false;
 
     RaySlabs(math::Vec3<T> from, math::Vec3<T> direction) : origin(from) {
         for (std::size_t i = 0; i < 3; ++i) {
             const T inv = 1 / direction[i];
-            parallel[i] = !(std::fabs(inv) <= std::numeric_limits<T>::max());
+            parallel[i] = !(std::fabs(inv * kFarSlack<T>) <= std::numeric_limits<T>::max());
             inverse[i] = parallel[i] ? T(0) : inv;
             inverse_far[i] = inverse[i] * kFarSlack<T>;
             negative[i] = !parallel[i] && inv < 0;

@@ -231,10 +231,11 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
         for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
             const auto direction = hn::Load(d, p.direction[a] + at);
             const auto inverse = hn::Div(hn::Set(d, 1.0F), direction);
+            const auto inverse_far = hn::Mul(inverse, hn::Set(d, kFarSlack<float>));
             const auto ahead = p.negative[a] ? hn::Lt(direction, zero) : hn::Gt(direction, zero);
-            fine = hn::And(fine, hn::And(ahead, hn::Le(hn::Abs(inverse), most)));
+            fine = hn::And(fine, hn::And(ahead, hn::Le(hn::Abs(inverse_far), most)));
             hn::Store(inverse, d, p.inverse[a] + at);
-            hn::Store(hn::Mul(inverse, hn::Set(d, kFarSlack<float>)), d, p.inverse_far[a] + at);
+            hn::Store(inverse_far, d, p.inverse_far[a] + at);
         }
         if (!hn::AllTrue(d, fine)) return false;
     }

@@ -16,6 +16,7 @@
 #include <limits>
 
 #include "renderer/scene/geometry.hpp"
+#include "renderer/wide/box_slots-inl.hpp"
 #include "renderer/wide/settle-inl.hpp"
 #include "renderer/wide/spheres-inl.hpp"
 
@@ -212,10 +213,8 @@ HWY_INLINE void test_box_group(const Geometry<float>& g, const WideNode<float>& 
     const BoxBounds<float> box = slot_bounds(node, slot);
     const ir::ObjectId object = g.box_objects[node.child[slot].index()];
     const GroupSpans spans = group_spans(box, p, group);
-    // The ends are widened, by less than this.
-    constexpr float kNarrowed = 1 - 16 * std::numeric_limits<float>::epsilon();
     const auto sure = hn::And(hn::Gt(spans.near, hn::Load(d, p.t_min + at)),
-                              hn::Le(spans.near, hn::Mul(spans.far, hn::Set(d, kNarrowed))));
+                              hn::Le(spans.near, hn::Mul(spans.far, hn::Set(d, kNarrowed<float>))));
     // The first axis on which the span begins, as intersect_box() finds it.
     const auto begins = [&](std::size_t a) HWY_ATTR {
         const float first = p.negative[a] ? box.hi[a] : box.lo[a];

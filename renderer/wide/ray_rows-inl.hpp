@@ -35,7 +35,7 @@ struct RayLanes {
     SlabLanes<T> slabs;
     ShearAxes axes;
     T sx, sy;
-    /// 1 over the direction's length and over its square.
+    /// 1 over the direction's length and over its square; in float alone.
     T per_length, per_square;
     std::uint32_t signs;  ///< a bit for each axis along which the ray runs backward
     const T* origin;
@@ -45,8 +45,9 @@ struct RayLanes {
     std::size_t stride;
     const bool* parallel;  ///< of RaySlabs; null if along no axis
 
-    /// The forms stay where they are as long as this is used.
-    explicit RayLanes(const RayForms<T>& forms)
+    /// The forms stay where they are as long as this is used. Without `meets_spheres` what only
+    /// their test looks at is left out.
+    RayLanes(const RayForms<T>& forms, bool meets_spheres)
         : axes{static_cast<std::uint8_t>(forms.shear.kx), static_cast<std::uint8_t>(forms.shear.ky),
                static_cast<std::uint8_t>(forms.shear.kz)},
           sx(forms.shear.sx),
@@ -61,10 +62,12 @@ struct RayLanes {
           stride(1),
           parallel(forms.slabs.any_parallel ? forms.slabs.parallel : nullptr) {
         for (std::uint32_t a = 0; a < 3; ++a) signs |= std::uint32_t{forms.slabs.negative[a]} << a;
-        const T square = (direction[0] * direction[0] + direction[1] * direction[1]) +
-                         direction[2] * direction[2];
-        per_square = 1 / square;
-        per_length = 1 / std::sqrt(square);
+        if (meets_spheres) {
+            const T square = (direction[0] * direction[0] + direction[1] * direction[1]) +
+                             direction[2] * direction[2];
+            per_square = 1 / square;
+            per_length = 1 / std::sqrt(square);
+        }
         spread();
     }
 
@@ -148,8 +151,8 @@ class RayRows {
                 kAxes[code >> 3],
                 sx_[i],
                 sy_[i],
-                per_length_[i],
-                per_square_[i]};
+                sizeof(T) == sizeof(float) ? per_length_[i] : T(0),
+                sizeof(T) == sizeof(float) ? per_square_[i] : T(0)};
     }
 
   private:
@@ -174,18 +177,21 @@ class RayRows {
         auto code = hn::Zero(du);
         for (std::size_t a = 0; a < 3; ++a) {
             const auto inverse = hn::Div(hn::Set(d, T(1)), hn::Load(d, direction[a] + at));
-            const auto odd = hn::Not(hn::Le(hn::Abs(inverse), most));
+            const auto inverse_far = hn::Mul(inverse, hn::Set(d, kFarSlack<T>));
+            const auto odd = hn::Not(hn::Le(hn::Abs(inverse_far), most));
             code = hn::Or(code, hn::Or(flag(odd, kOdd), flag(hn::Lt(inverse, zero), U{1} << a)));
             hn::Store(inverse, d, inverse_[a] + at);
-            hn::Store(hn::Mul(inverse, hn::Set(d, kFarSlack<T>)), d, inverse_far_[a] + at);
+            hn::Store(inverse_far, d, inverse_far_[a] + at);
         }
         const auto x = hn::Load(d, direction[0] + at);
         const auto y = hn::Load(d, direction[1] + at);
         const auto z = hn::Load(d, direction[2] + at);
-        const auto square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
-        const auto one = hn::Set(d, T(1));
-        hn::Store(hn::Div(one, square), d, per_square_ + at);
-        hn::Store(hn::Div(one, hn::Sqrt(square)), d, per_length_ + at);
+        if constexpr (sizeof(T) == sizeof(float)) {
+            const auto square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+            const auto one = hn::Set(d, T(1));
+            hn::Store(hn::Div(one, square), d, per_square_ + at);
+            hn::Store(hn::Div(one, hn::Sqrt(square)), d, per_length_ + at);
+        }
         const auto x_over_y = hn::Gt(hn::Abs(x), hn::Abs(y));
         const auto main_x = hn::And(x_over_y, hn::Gt(hn::Abs(x), hn::Abs(z)));
         const auto main_y = hn::And(hn::Not(x_over_y), hn::Gt(hn::Abs(y), hn::Abs(z)));

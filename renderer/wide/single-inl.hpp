@@ -39,7 +39,7 @@ template <bool kAny, typename T>
 HWY_NOINLINE void search_placed_mesh(const WideTree<T>& tree, const RayForms<T>& ray,
                                      ir::ObjectId object, Search<T>& search) {
     FormsOnDemand<T> forms(ray);
-    const RayLanes<T> lanes(ray);
+    const RayLanes<T> lanes(ray, false);
     if (ray.slabs.any_parallel) {
         search_mesh<kAny, true>(tree, lanes, forms, object, search);
     } else {
@@ -125,7 +125,7 @@ HWY_NOINLINE void search_alone(const Geometry<T>& g, const Ray<T>& ray, Search<T
     const RayForms<T> made(ray.origin, ray.direction);
     FormsOnDemand<T> forms(made);
     if (!test_planes<kAny>(g, forms, search)) return;
-    const RayLanes<T> lanes(made);
+    const RayLanes<T> lanes(made, sizeof(T) == sizeof(float));
     const BoxSlots<T> boxes(g.box_objects.data());
     if (made.slabs.any_parallel) {
         search_world<kAny, true>(g, boxes, lanes, forms, search);

@@ -90,7 +90,7 @@ struct SphereGuess {
 ///
 /// With f from the centre to the origin, u half the distance from 1 to the next number, l from the
 /// centre to where the line comes nearest, and lengths in units of the direction's: f is off by 1 u
-/// of itself and the nearest t by 7 u |f|, so that l is off by less than 24 u |f| and its square by
+/// of itself and the nearest t by 9 u |f|, so that l is off by less than 24 u |f| and its square by
 /// less than 51 u f^2. Half of what the line spans inside is the root of r^2 - l^2: with 64 u
 /// (f^2 + r^2) added or taken away it is too wide or too narrow by at least 13 u f^2 / 2 h, and 64
 /// u of itself, h, more. The least that both can be together is 40 u |f|, well above the error of
@@ -170,6 +170,13 @@ HWY_INLINE void guess_spheres(const SphereBlock<float>& block, const RayLanes<fl
     guess.sure &= guess.open;
 }
 
+template <typename T>
+HWY_INLINE void test_lane(const SphereBlock<T>& block, std::size_t lane, FormsOnDemand<T>& forms,
+                          Search<T>& search) {
+    test_sphere(forms.get(), {block.center[0][lane], block.center[1][lane], block.center[2][lane]},
+                block.radius[lane], block.object[lane], search);
+}
+
 /// The nearest sphere so far, as float has it: its t is not computed before something comes near.
 class WaitingSphere {
   public:
@@ -207,12 +214,6 @@ class WaitingSphere {
         block_ = nullptr;
     }
 
-    static HWY_INLINE void test_lane(const SphereBlock<float>& block, std::size_t i,
-                                     FormsOnDemand<float>& forms, Search<float>& search) {
-        test_sphere(forms.get(), {block.center[0][i], block.center[1][i], block.center[2][i]},
-                    block.radius[i], block.object[i], search);
-    }
-
   private:
     const SphereBlock<float>* block_ = nullptr;
     std::size_t lane_ = 0;
@@ -238,8 +239,7 @@ HWY_INLINE bool test_spheres(const SphereBlock<T>& block, const RayLanes<T>& ray
     while (bits != 0) {
         const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
         bits &= bits - 1;
-        test_sphere(forms.get(), {block.center[0][i], block.center[1][i], block.center[2][i]},
-                    block.radius[i], block.object[i], search);
+        test_lane(block, i, forms, search);
         if (kAny && search.best.object.valid()) return true;
     }
     return false;

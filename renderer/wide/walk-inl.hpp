@@ -18,86 +18,13 @@
 #include "renderer/accel/tree.hpp"
 #include "renderer/accel/wide_tree.hpp"
 #include "renderer/query/query.hpp"
+#include "renderer/wide/box_slots-inl.hpp"
 #include "renderer/wide/lanes-inl.hpp"
 #include "renderer/wide/pairs-inl.hpp"
 #include "renderer/wide/ray_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
-
-/// A tree without boxes of the scene.
-struct NoBoxSlots {
-    static constexpr bool kSome = false;
-
-    template <bool kAny, typename T>
-    HWY_INLINE std::uint32_t test(const WideNode<T>&, std::uint32_t bits, const NodeSpans<T>&,
-                                  FormsOnDemand<T>&, Search<T>&) {
-        return bits;
-    }
-    template <typename T>
-    HWY_INLINE void settle(FormsOnDemand<T>&, Search<T>&) const {}
-};
-
-/// Slots of a node that are boxes of the scene: whose they are, and the nearest one met so far,
-/// whose face is not computed yet.
-template <typename T>
-class BoxSlots {
-  public:
-    static constexpr bool kSome = true;
-
-    /// `objects`: of the boxes by their index.
-    explicit BoxSlots(const ir::ObjectId* objects) : objects_(objects) {}
-
-    /// Tests the slots among `bits` that are boxes, and gives the others. Where a ray surely meets
-    /// a box ahead of it, what it spans is what test_box() computes, and only the face waits.
-    template <bool kAny, typename>
-    HWY_INLINE std::uint32_t test(const WideNode<T>& node, std::uint32_t bits,
-                                  const NodeSpans<T>& spans, FormsOnDemand<T>& forms,
-                                  Search<T>& search) {
-        if (bits == 0) return 0;
-        std::uint32_t own = bits & box_slots(node);
-        bits &= ~own;
-        // The ends are widened, by less than this.
-        constexpr T kNarrowed = 1 - 16 * std::numeric_limits<T>::epsilon();
-        while (own != 0) {
-            const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(own);
-            own &= own - 1;
-            const ir::ObjectId object = objects_[node.child[slot].index()];
-            const T t = spans.begins[slot];
-            const bool left = object == search.exclude.object;
-            if (left && !search.exclude.goes_inside) continue;
-            if (HWY_UNLIKELY(left || !(t > search.t_min && t <= spans.ends[slot] * kNarrowed))) {
-                test_box(forms.get(), slot_bounds(node, slot), object, search);
-            } else {
-                ++search.primitive_tests;
-                if (t < search.best.t || (t == search.best.t && search.best.object.valid() &&
-                                          object < search.best.object)) {
-                    search.best.t = t;
-                    search.best.object = object;
-                    node_ = &node;
-                    slot_ = slot;
-                }
-            }
-            if (kAny && search.best.object.valid()) return 0;
-        }
-        return bits;
-    }
-
-    /// Computes what waits of the nearest box, unless something nearer has come after it.
-    template <typename>
-    HWY_INLINE void settle(FormsOnDemand<T>& forms, Search<T>& search) const {
-        if (node_ == nullptr) return;
-        const ir::ObjectId object = objects_[node_->child[slot_].index()];
-        if (!(object == search.best.object)) return;
-        const auto hit = intersect_box(forms.get().slabs, slot_bounds(*node_, slot_));
-        search.best = {hit->near, object, hit->near_face, 0, 0};
-    }
-
-  private:
-    const ir::ObjectId* objects_;
-    const WideNode<T>* node_ = nullptr;
-    std::size_t slot_ = 0;
-};
 
 template <typename T>
 struct WaitingChild {

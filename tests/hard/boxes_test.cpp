@@ -47,8 +47,15 @@ AlongAxes along_axes(int count, Cast cast) {
     const auto& prepared = cores.reference;
     Random random(4);
     AlongAxes result;
-    const T tiny[] = {0, T(-0.0), std::numeric_limits<T>::denorm_min(),
-                      -std::numeric_limits<T>::denorm_min(), std::numeric_limits<T>::min()};
+    // The last: its inverse is finite, and infinite once it is widened.
+    const T edge = std::numeric_limits<T>::min() / 4 + std::numeric_limits<T>::denorm_min();
+    const T tiny[] = {0,
+                      T(-0.0),
+                      std::numeric_limits<T>::denorm_min(),
+                      -std::numeric_limits<T>::denorm_min(),
+                      std::numeric_limits<T>::min(),
+                      edge,
+                      -edge};
     for (int i = 0; i < count; ++i) {
         renderer::Ray<T> r;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -58,7 +65,7 @@ AlongAxes along_axes(int count, Cast cast) {
                               : kind == 1 ? random.below(4) + 0.5
                                           : random.in(-1, 4);
             r.origin[k] = static_cast<T>(at) - static_cast<T>(prepared.origin[k]);
-            r.direction[k] = tiny[random.below(5)];
+            r.direction[k] = tiny[random.below(std::size(tiny))];
         }
         const std::size_t axis = random.below(3);
         const bool up = random.below(2) == 0;

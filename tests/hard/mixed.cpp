@@ -3,7 +3,7 @@
 
 namespace cobble::test {
 
-ir::Scene mixed_scene(std::uint64_t seed) {
+ir::Scene mixed_scene(std::uint64_t seed, bool with_boxes) {
     Random random(seed);
     SceneMaker make;
     for (int i = 0; i < 20; ++i) make.sphere(random.point(4), random.in(0.05, 0.8));
@@ -19,7 +19,7 @@ ir::Scene mixed_scene(std::uint64_t seed) {
     for (int i = 0; i < 15; ++i) {
         const Vec3d at{std::floor(random.in(-4, 4)), std::floor(random.in(-4, 4)),
                        std::floor(random.in(-4, 4))};
-        make.box(at, at + Vec3d{1, 1, 1});
+        if (with_boxes) make.box(at, at + Vec3d{1, 1, 1});
     }
     make.plane({0, 1, 0}, -4.5);
     make.plane(random.direction(), 6);

@@ -10,8 +10,9 @@
 
 namespace cobble::test {
 
-/// Everything that a scene can hold, at rest and moving, some of it in the same place.
-ir::Scene mixed_scene(std::uint64_t seed);
+/// Everything that a scene can hold, at rest and moving, some of it in the same place; if asked,
+/// but for boxes that are not placed.
+ir::Scene mixed_scene(std::uint64_t seed, bool with_boxes = true);
 
 /// Origins inside and outside; directions at random, along axes, diagonal, and almost along them.
 template <typename T>

@@ -166,7 +166,7 @@ def of_aimed_rays(path):
     sets = report["instruction_sets"]
     text = (f"Of {total['rays']:,} different rays at edges, vertices and outlines of "
             f"{len(report['scenes'])} scenes (`bench_aimed`), each asked of the fast core by "
-            f"{', '.join(sets)}, ray by ray, in batches and in packets, {total['answers']:,} answers "
+            f"{', '.join(sets)}, ray by ray, in batches, and in packets where rays go alike, {total['answers']:,} answers "
             f"in all, {total['leaks']:,} slipped through a closed thing and {total['differ']:,} "
             f"differed; {total['wrong']:,} of {total['checked']:,} that brute force was asked about "
             f"were unlike its answer.")
