@@ -9,7 +9,6 @@
 
 #include "renderer/accel/binary_builder.hpp"
 #include "renderer/accel/half_area.hpp"
-#include "renderer/accel/slot_order.hpp"
 
 namespace cobble::renderer {
 
@@ -144,28 +143,17 @@ class Collapse {
                 halve(share.binary, plan.left[share.slots - 1], share.slots);
             }
         }
-        std::array<BoxBounds<T>, kWidth> boxes;
-        for (std::size_t i = 0; i < count; ++i) boxes[i] = binary_[children[i]].bounds();
-        const auto slots =
-            slots_by_corner<T>(binary_[at.binary].bounds(), std::span(boxes).first(count));
         WideNode<T> node;
         const BoxBounds<T> empty;
         for (std::size_t i = 0; i < kWidth; ++i) {
-            set_slot(node, i, empty);
-            node.child[i] = ChildRef::inner(0);
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            set_slot(node, slots[i], boxes[i]);
-            node.child[slots[i]] = slot(children[i]);
+            const BoxBounds<T> b = i < count ? binary_[children[i]].bounds() : empty;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                node.bounds[axis][i] = b.lo[axis];
+                node.bounds[3 + axis][i] = b.hi[axis];
+            }
+            node.child[i] = i < count ? slot(children[i]) : ChildRef::inner(0);
         }
         out_.nodes[at.wide] = node;
-    }
-
-    static void set_slot(WideNode<T>& node, std::size_t slot, const BoxBounds<T>& box) {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            node.bounds[axis][slot] = box.lo[axis];
-            node.bounds[3 + axis][slot] = box.hi[axis];
-        }
     }
 
     ChildRef slot(std::uint32_t child) {

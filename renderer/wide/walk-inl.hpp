@@ -33,7 +33,7 @@ struct WaitingChild {
 };
 
 /// Walks one tree, the nearest child first; `leaf(child)` is asked for each leaf that may hold a
-/// better hit. Where boxes are slots: what is met first hides most of the rest.
+/// better hit.
 template <bool kParallel, typename T, typename Boxes, typename Leaf>
 HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
                                    FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
@@ -103,8 +103,8 @@ HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const R
 template <bool kAny, bool kParallel, typename T, typename Boxes, typename Leaf>
 HWY_INLINE void walk_wide(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
                           FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {
-    if constexpr (kAny || !Boxes::kSome) {
-        walk_pairs<kAny, kParallel>(tree, boxes, ray, forms, search, leaf);
+    if constexpr (kAny) {
+        walk_pairs<kParallel>(tree, boxes, ray, forms, search, leaf);
     } else {
         walk_nearest_first<kParallel>(tree, boxes, ray, forms, search, leaf);
     }
