@@ -32,11 +32,17 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
 template <bool kAny>
 void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& counters) {
     Packet packet;
-    // After a packet that fell apart, no other is tried.
-    bool apart = false;
+    // After a packet that fell apart, so many others of the call are not tried.
+    constexpr std::size_t kPause = 7;
+    std::size_t pause = 0;
     for (std::size_t first = 0; first < q.count; first += kPacketRays) {
         const std::size_t count = std::min(kPacketRays, q.count - first);
-        if (apart || count <= kPacketRays / 4 ||
+        if (pause > 0) {
+            --pause;
+            search_singly<kAny>(q, first, count, hits, counters);
+            continue;
+        }
+        if (count <= kPacketRays / 4 ||
             !gather(q.rays + first, q.excludes + first, count, hits + first, packet)) {
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
@@ -45,7 +51,7 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
         walk_packet<kAny>(*q.geometry, packet);
         counters.box_tests += packet.box_tests;
         counters.primitive_tests += packet.primitive_tests;
-        apart = kAny && !packet.stayed_together();
+        if (kAny && !packet.stayed_together()) pause = kPause;
     }
 }
 #endif
