@@ -63,6 +63,14 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
+/// The opposite: a lane for each of the lowest bits.
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                   static_cast<std::uint8_t>(bits >> 8)};
+    return hn::LoadMaskBits(d, bytes);
+}
+
 /// What a ray spans of a node's boxes: those are met that it leaves not before it enters.
 template <typename T>
 struct NodeSpans {

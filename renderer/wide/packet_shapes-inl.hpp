@@ -104,6 +104,29 @@ HWY_INLINE std::uint32_t may_meet(const SphereBlock<float>& block, std::size_t l
     return bits_of(d, hn::Not(missed));
 }
 
+/// Each lane's quadratic as intersect_sphere() has it, bit for bit: a t^2 - 2 b t + c, and what is
+/// left of the radius' square where the line comes nearest, below 0 where it misses.
+template <class V>
+struct SphereTerms {
+    V a, b, rest, c;
+};
+
+/// f: from the centre to the origin; `r`: the radius.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE SphereTerms<V> sphere_terms(D d, V fx, V fy, V fz, V dx, V dy, V dz, V r) {
+    SphereTerms<V> terms;
+    terms.a = dot_lanes(d, dx, dy, dz, dx, dy, dz);
+    terms.b = hn::Sub(hn::Zero(d), dot_lanes(d, fx, fy, fz, dx, dy, dz));
+    const V q = hn::Div(terms.b, terms.a);
+    const V lx = hn::Add(fx, hn::Mul(dx, q));
+    const V ly = hn::Add(fy, hn::Mul(dy, q));
+    const V lz = hn::Add(fz, hn::Mul(dz, q));
+    const V square = hn::Mul(r, r);
+    terms.rest = hn::Sub(square, dot_lanes(d, lx, ly, lz, lx, ly, lz));
+    terms.c = hn::Sub(dot_lanes(d, fx, fy, fz, fx, fy, fz), square);
+    return terms;
+}
+
 /// The rays of a group that meet a sphere, and where: intersect_sphere() and what test_sphere()
 /// makes of it, bit for bit.
 struct SphereHits {

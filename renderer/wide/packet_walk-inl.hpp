@@ -40,13 +40,6 @@ HWY_INLINE hn::Mask<Packet::D> left_behind(const TriangleBlock<float>& block, st
     return hn::RebindMask(Packet::D(), hn::And(object, face));
 }
 
-template <class D>
-HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
-    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
-                                   static_cast<std::uint8_t>(bits >> 8)};
-    return hn::LoadMaskBits(d, bytes);
-}
-
 /// One ray and one triangle of which groups of rays leave something open: it may be missed, or its
 /// place is not clear.
 template <bool kAny>

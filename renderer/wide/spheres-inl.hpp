@@ -23,39 +23,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
-/// Each lane's quadratic as intersect_sphere() has it, bit for bit: a t^2 - 2 b t + c, and what is
-/// left of the radius' square where the line comes nearest, below 0 where it misses.
-template <class V>
-struct SphereTerms {
-    V a, b, rest, c;
-};
-
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V dot_lanes(D, V x0, V y0, V z0, V x1, V y1, V z1) {
     return hn::Add(hn::Add(hn::Mul(x0, x1), hn::Mul(y0, y1)), hn::Mul(z0, z1));
-}
-
-/// f: from the centre to the origin; `r`: the radius.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE SphereTerms<V> sphere_terms(D d, V fx, V fy, V fz, V dx, V dy, V dz, V r) {
-    SphereTerms<V> terms;
-    terms.a = dot_lanes(d, dx, dy, dz, dx, dy, dz);
-    terms.b = hn::Sub(hn::Zero(d), dot_lanes(d, fx, fy, fz, dx, dy, dz));
-    const V q = hn::Div(terms.b, terms.a);
-    const V lx = hn::Add(fx, hn::Mul(dx, q));
-    const V ly = hn::Add(fy, hn::Mul(dy, q));
-    const V lz = hn::Add(fz, hn::Mul(dz, q));
-    const V square = hn::Mul(r, r);
-    terms.rest = hn::Sub(square, dot_lanes(d, lx, ly, lz, lx, ly, lz));
-    terms.c = hn::Sub(dot_lanes(d, fx, fy, fz, fx, fy, fz), square);
-    return terms;
-}
-
-/// A lane for each of the lowest bits.
-template <class D>
-HWY_INLINE hn::Mask<D> left_mask(D d, std::uint32_t bits) {
-    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
-    return hn::LoadMaskBits(d, bytes);
 }
 
 /// The lanes of a block that belong to an object.
@@ -155,7 +125,7 @@ HWY_INLINE void guess_spheres(const SphereBlock<float>& block, const RayLanes<fl
         const auto far_most = hn::Add(q, outer);
         const auto out = hn::Or(missed, hn::Or(hn::Gt(near_least, best), hn::Lt(far_most, t_min)));
         guess.open |= bits_of(d, hn::Not(out)) << part;
-        const auto leaves = left_mask(d, left >> part);
+        const auto leaves = mask_of(d, left >> part);
         const auto enters = hn::AndNot(leaves, hn::Gt(near_least, t_min));
         const auto decided = hn::Or(enters, hn::Or(leaves, hn::Le(near_most, t_min)));
         const auto t_least = hn::IfThenElse(enters, near_least, far_least);

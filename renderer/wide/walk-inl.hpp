@@ -99,7 +99,7 @@ HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const R
     }
 }
 
-/// Any hit where `leaf` may say that it is found.
+/// The closest hit; or any, and then `leaf` says whether it has found one.
 template <bool kAny, bool kParallel, typename T, typename Boxes, typename Leaf>
 HWY_INLINE void walk_wide(const WideTree<T>& tree, Boxes boxes, const RayLanes<T>& ray,
                           FormsOnDemand<T>& forms, Search<T>& search, Leaf leaf) {

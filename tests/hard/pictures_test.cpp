@@ -76,6 +76,14 @@ SceneMaker heap(double scale) {
     return make;
 }
 
+/// One picture with one thread and with three, on a host that flushes denormals.
+void check_flushed(const ir::Scene& scene, const renderer::Settings& s,
+                   const std::string& expected) {
+    const DenormalsFlushed flushed;
+    CHECK(hash_of(render(scene, s).picture) == expected);
+    CHECK(hash_of(render(scene, s, 3).picture) == expected);
+}
+
 /// All coordinates in float below the normal range, of which 2^-126 is the end; light too in half
 /// of what it falls on.
 SceneBuilder below_normal() {
@@ -227,9 +235,7 @@ TEST_CASE(
     for (const std::string& name : renderer::instruction_sets()) {
         CAPTURE(name);
         const WithInstructionSet with(name);
-        const DenormalsFlushed flushed;
-        CHECK(hash_of(render(b.scene(), s).picture) == expected);
-        CHECK(hash_of(render(b.scene(), s, 3).picture) == expected);
+        check_flushed(b.scene(), s, expected);
     }
 }
 
@@ -245,9 +251,7 @@ TEST_CASE("row 45: numbers below the normal range count, whatever the host has s
     for (const std::string& name : renderer::instruction_sets()) {
         CAPTURE(name);
         const WithInstructionSet with(name);
-        const DenormalsFlushed flushed;
-        CHECK(hash_of(render(b.scene(), s).picture) == expected);
-        CHECK(hash_of(render(b.scene(), s, 3).picture) == expected);
+        check_flushed(b.scene(), s, expected);
     }
     // In the host's mode, as it would be if nobody set another, there is something else to see.
     for (const auto acceleration : {renderer::Acceleration::kBvh, renderer::Acceleration::kFast}) {
