@@ -32,6 +32,9 @@ class ChildRef {
         return ChildRef((static_cast<std::uint32_t>(kind) + 1) << 29 | (count - 1) << 27 | index);
     }
 
+    /// What bits() gave.
+    static constexpr ChildRef of_bits(std::uint32_t bits) { return ChildRef(bits); }
+
     [[nodiscard]] constexpr bool is_inner() const { return bits_ >> 29 == 0; }
     [[nodiscard]] constexpr PrimitiveKind kind() const {
         return static_cast<PrimitiveKind>((bits_ >> 29) - 1);

@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -26,10 +27,34 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
+/// A child that waits, and where its box begins: in float one number, in order of where that is
+/// (which is nowhere below zero, and -0 may come before 0).
 template <typename T>
 struct WaitingChild {
-    T near;
+    T begin;
     ChildRef child;
+
+    WaitingChild() = default;
+    WaitingChild(T of_box, ChildRef to) : begin(of_box), child(to) {}
+    [[nodiscard]] T near() const { return begin; }
+    [[nodiscard]] ChildRef to() const { return child; }
+    [[nodiscard]] bool operator<(const WaitingChild& other) const { return begin < other.begin; }
+};
+template <>
+struct WaitingChild<float> {
+    std::int64_t bits;
+
+    WaitingChild() = default;
+    WaitingChild(float of_box, ChildRef to)
+        : bits(static_cast<std::int64_t>(std::uint64_t{std::bit_cast<std::uint32_t>(of_box)} << 32 |
+                                         to.bits())) {}
+    [[nodiscard]] float near() const {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(bits >> 32));
+    }
+    [[nodiscard]] ChildRef to() const {
+        return ChildRef::of_bits(static_cast<std::uint32_t>(bits));
+    }
+    [[nodiscard]] bool operator<(const WaitingChild& other) const { return bits < other.bits; }
 };
 
 /// Walks one tree, the nearest child first; `leaf(child)` is asked for each leaf that may hold a
@@ -40,8 +65,9 @@ HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const R
     if (tree.nodes.empty()) return;
     constexpr std::size_t kWidth = WideNode<T>::kWidth;
     const WideNode<T>* const nodes = tree.nodes.data();
-    WaitingChild<T> stack[kMaxTreeDepth * (kWidth - 1) + kWidth];
-    WaitingChild<T>* top = stack;
+    using Waiting = WaitingChild<T>;
+    Waiting stack[kMaxTreeDepth * (kWidth - 1) + kWidth];
+    Waiting* top = stack;
     ChildRef at = ChildRef::inner(0);
     std::uint64_t steps = 0;
     for (;;) {
@@ -53,34 +79,33 @@ HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const R
                                                       search.best.t, spans);
             bits = boxes.template test<false, T>(node, bits, spans, forms, search);
             if (bits != 0) {
-                const T* const begins = spans.begins;
-                const auto first = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                at = node.child[first];
-                if (bits == 0) continue;
-                const auto second = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                bits &= bits - 1;
-                const bool swapped = begins[second] < begins[first];
-                const WaitingChild<T> pair[2] = {{begins[first], at},
-                                                 {begins[second], node.child[second]}};
-                at = pair[swapped ? 1 : 0].child;
-                WaitingChild<T>* const base = top;
-                *top++ = pair[swapped ? 0 : 1];
-                if (bits == 0) continue;
-                *top++ = pair[swapped ? 1 : 0];
-                do {
+                const auto take = [&]() HWY_ATTR {
                     const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
                     bits &= bits - 1;
-                    const WaitingChild<T> next{begins[slot], node.child[slot]};
+                    return Waiting(spans.begins[slot], node.child[slot]);
+                };
+                const Waiting first = take();
+                at = first.to();
+                if (bits == 0) continue;
+                const Waiting second = take();
+                const bool swapped = second < first;
+                Waiting nearest = swapped ? second : first;
+                Waiting* const base = top;
+                *top++ = swapped ? first : second;
+                while (bits != 0) {
+                    Waiting next = take();
+                    const bool nearer = next < nearest;
+                    const Waiting other = nearer ? nearest : next;
+                    nearest = nearer ? next : nearest;
                     // The farthest first, so that the nearest is taken next.
-                    WaitingChild<T>* place = top++;
-                    while (place > base && place[-1].near < next.near) {
+                    Waiting* place = top++;
+                    while (place > base && place[-1] < other) {
                         *place = place[-1];
                         --place;
                     }
-                    *place = next;
-                } while (bits != 0);
-                at = (--top)->child;
+                    *place = other;
+                }
+                at = nearest.to();
                 continue;
             }
         } else {
@@ -94,8 +119,8 @@ HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const R
                 return;
             }
             --top;
-        } while (top->near > search.best.t);
-        at = top->child;
+        } while (top->near() > search.best.t);
+        at = top->to();
     }
 }
 
