@@ -37,7 +37,7 @@ void set_lane(SphereBlock<T>& block, std::uint32_t lane, const SpherePrimitive<T
 }
 
 template <typename T, typename Block, typename Primitive>
-void fill(std::vector<Block>& blocks, const std::vector<LeafRange>& ranges,
+void fill(LargeVector<Block>& blocks, const std::vector<LeafRange>& ranges,
           const std::vector<BuildItem<T>>& items, std::span<const Primitive> primitives,
           const BuildControl& control) {
     blocks.resize(ranges.size());

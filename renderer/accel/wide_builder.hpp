@@ -20,7 +20,7 @@ struct LeafRange {
 /// The nodes, and what to fill the blocks with.
 template <typename T>
 struct WideBuild {
-    std::vector<WideNode<T>> nodes;
+    LargeVector<WideNode<T>> nodes;
     std::vector<LeafRange> triangle_blocks;
     std::vector<LeafRange> sphere_blocks;
     BoxBounds<T> bounds;
@@ -33,7 +33,7 @@ template <typename T>
 WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items, const BuildControl& control = {});
 
 /// The tree itself: the nodes, with copies of the triangles and spheres in its blocks. An item's
-/// index is that of its primitive in the array of its kind.
+/// index is that of its primitive in the array of its kind, a box's that of its object.
 template <typename T>
 WideTree<T> make_wide_tree(std::vector<BuildItem<T>>& items,
                            std::span<const TrianglePrimitive<T>> triangles,

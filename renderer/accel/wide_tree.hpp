@@ -8,9 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "ir/scene/ids.hpp"
+#include "renderer/accel/large_pages.hpp"
 #include "renderer/geometry/primitives.hpp"
 
 namespace cobble::renderer {
@@ -26,8 +26,8 @@ class ChildRef {
     /// `node` is at most kMostNode.
     static constexpr ChildRef inner(std::uint32_t node) { return ChildRef(node * kNodeUnits); }
     static constexpr std::uint32_t kMostNode = ((1U << 29) - 1) / kNodeUnits;
-    /// `index` is a block for triangles and spheres, else the primitive. `count`: the triangles of
-    /// the block; 1 for all others.
+    /// `index` is a block for triangles and spheres, the object for boxes, else the primitive.
+    /// `count`: the triangles of the block; 1 for all others.
     static constexpr ChildRef leaf(PrimitiveKind kind, std::uint32_t index, std::uint32_t count) {
         return ChildRef((static_cast<std::uint32_t>(kind) + 1) << 29 | (count - 1) << 27 | index);
     }
@@ -55,6 +55,9 @@ class ChildRef {
     std::uint32_t bits_;  // no value of its own: stacks of hundreds are made for each ray
 };
 static_assert(kPrimitiveKinds < 7);
+
+/// Whose box a slot is.
+constexpr ir::ObjectId box_object(ChildRef box) { return ir::ObjectId{box.index()}; }
 
 /// Eight boxes, a lane each. 224 bytes in float: three and a half cache lines. An empty slot's box
 /// is inside out and never met.
@@ -90,9 +93,9 @@ struct alignas(32) SphereBlock {
 /// Nodes from the root at 0, each subtree's together; none if there is nothing in it.
 template <typename T>
 struct WideTree {
-    std::vector<WideNode<T>> nodes;
-    std::vector<TriangleBlock<T>> triangles;
-    std::vector<SphereBlock<T>> spheres;
+    LargeVector<WideNode<T>> nodes;
+    LargeVector<TriangleBlock<T>> triangles;
+    LargeVector<SphereBlock<T>> spheres;
     BoxBounds<T> bounds;
 };
 

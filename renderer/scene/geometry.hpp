@@ -58,7 +58,7 @@ struct Geometry {
     std::vector<TrianglePrimitive<T>> triangles;
     std::vector<SpherePrimitive<T>> spheres;
     std::vector<BoxPrimitive<T>> boxes;
-    std::vector<ir::ObjectId> box_objects;  ///< of the fast core's boxes
+    bool any_boxes = false;  ///< in `wide`, whose slots of boxes are numbered by their objects
     std::vector<MovingPrimitive> moving_triangles;
     std::vector<MovingPrimitive> moving_spheres;
     std::vector<Instance<T>> instances;

@@ -189,8 +189,13 @@ class Preparation {
             case ir::ShapeKind::kBox: {
                 const auto b = narrow_box<T>(scene_.boxes[object.shape], out_.origin);
                 if (!usable(b, id)) break;
-                add_item(PrimitiveKind::kBox, g.boxes.size(), b);
-                g.boxes.push_back({b, id});
+                if (fast()) {
+                    add_item(PrimitiveKind::kBox, id.value, b);
+                    g.any_boxes = true;
+                } else {
+                    add_item(PrimitiveKind::kBox, g.boxes.size(), b);
+                    g.boxes.push_back({b, id});
+                }
                 break;
             }
             case ir::ShapeKind::kPlane:
@@ -412,10 +417,8 @@ class Preparation {
     void build_fast() {
         Geometry<T>& g = geometry();
         g.wide = make_wide_tree<T>(items_, g.triangles, g.spheres, options().build);
-        for (const auto& box : g.boxes) g.box_objects.push_back(box.object);
         g.triangles = {};
         g.spheres = {};
-        g.boxes = {};
     }
 
     template <typename U>

@@ -2,15 +2,14 @@
 #include "renderer/scene/prepared_scene.hpp"
 
 #include <cstdint>
-#include <vector>
 
 namespace cobble::renderer {
 
 namespace {
 
-template <typename U>
-std::uint64_t bytes_of(const std::vector<U>& v) {
-    return v.size() * sizeof(U);
+template <typename Vector>
+std::uint64_t bytes_of(const Vector& v) {
+    return v.size() * sizeof(v[0]);
 }
 
 }  // namespace
@@ -27,7 +26,6 @@ std::uint64_t PreparedScene<T>::bytes() const {
         sum += bytes_of(tree.nodes) + bytes_of(tree.triangles) + bytes_of(tree.spheres);
     };
     add_wide(g.wide);
-    sum += bytes_of(g.box_objects);
     for (const auto& mesh : g.meshes) {
         sum += bytes_of(mesh.triangles) + bytes_of(mesh.tree.nodes);
         add_wide(mesh.wide);

@@ -47,9 +47,6 @@ class BoxSlots {
   public:
     static constexpr bool kSome = true;
 
-    /// `objects`: of the boxes by their index.
-    explicit BoxSlots(const ir::ObjectId* objects) : objects_(objects) {}
-
     /// Tests the slots among `bits` that are boxes, and gives the others. Where a ray surely meets
     /// a box ahead of it, what it spans is what test_box() computes, and only the face waits.
     template <bool kAny, typename>
@@ -62,7 +59,7 @@ class BoxSlots {
         while (own != 0) {
             const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(own);
             own &= own - 1;
-            const ir::ObjectId object = objects_[node.child[slot].index()];
+            const ir::ObjectId object = box_object(node.child[slot]);
             const T t = spans.begins[slot];
             const bool left = object == search.exclude.object;
             if (left && !search.exclude.goes_inside) continue;
@@ -87,14 +84,13 @@ class BoxSlots {
     template <typename>
     HWY_INLINE void settle(FormsOnDemand<T>& forms, Search<T>& search) const {
         if (node_ == nullptr) return;
-        const ir::ObjectId object = objects_[node_->child[slot_].index()];
+        const ir::ObjectId object = box_object(node_->child[slot_]);
         if (!(object == search.best.object)) return;
         const auto hit = intersect_box(forms.get().slabs, slot_bounds(*node_, slot_));
         search.best = {hit->near, object, hit->near_face, 0, 0};
     }
 
   private:
-    const ir::ObjectId* objects_;
     const WideNode<T>* node_ = nullptr;
     std::size_t slot_ = 0;
 };

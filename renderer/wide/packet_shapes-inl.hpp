@@ -220,8 +220,7 @@ HWY_NOINLINE void test_box_slot(const Geometry<float>& g, const WideNode<float>&
                                 std::size_t slot, Packet& p, std::size_t ray) {
     settle(g.wide, p, ray);
     Search<float> search = begin_search(p, ray);
-    test_box(forms_of(p, ray), slot_bounds(node, slot), g.box_objects[node.child[slot].index()],
-             search);
+    test_box(forms_of(p, ray), slot_bounds(node, slot), box_object(node.child[slot]), search);
     p.primitive_tests += 1;
     end_search<kAny>(search, p, ray);
 }
@@ -234,7 +233,7 @@ HWY_INLINE void test_box_group(const Geometry<float>& g, const WideNode<float>& 
     const Packet::D d;
     const std::size_t at = group * Packet::kLanes;
     const BoxBounds<float> box = slot_bounds(node, slot);
-    const ir::ObjectId object = g.box_objects[node.child[slot].index()];
+    const ir::ObjectId object = box_object(node.child[slot]);
     const GroupSpans spans = group_spans(box, p, group);
     const auto sure = hn::And(hn::Gt(spans.near, hn::Load(d, p.t_min + at)),
                               hn::Le(spans.near, hn::Mul(spans.far, hn::Set(d, kNarrowed<float>))));

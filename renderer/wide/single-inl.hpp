@@ -126,7 +126,7 @@ HWY_NOINLINE void search_alone(const Geometry<T>& g, const Ray<T>& ray, Search<T
     FormsOnDemand<T> forms(made);
     if (!test_planes<kAny>(g, forms, search)) return;
     const RayLanes<T> lanes(made, sizeof(T) == sizeof(float));
-    const BoxSlots<T> boxes(g.box_objects.data());
+    const BoxSlots<T> boxes;
     if (made.slabs.any_parallel) {
         search_world<kAny, true>(g, boxes, lanes, forms, search);
     } else {
@@ -175,11 +175,10 @@ void search_rows(const Geometry<T>& g, Boxes boxes, const Ray<T>* rays, const Ex
 template <bool kAny, typename T>
 void search_singly(const Geometry<T>& g, const Ray<T>* rays, const Exclude* excludes,
                    std::size_t count, Hit<T>* hits, Counters& counters) {
-    if (g.box_objects.empty()) {
+    if (!g.any_boxes) {
         search_rows<kAny>(g, NoBoxSlots(), rays, excludes, count, hits, counters);
     } else {
-        search_rows<kAny>(g, BoxSlots<T>(g.box_objects.data()), rays, excludes, count, hits,
-                          counters);
+        search_rows<kAny>(g, BoxSlots<T>(), rays, excludes, count, hits, counters);
     }
 }
 

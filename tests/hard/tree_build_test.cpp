@@ -102,7 +102,7 @@ class Inventory {
     BoxBounds<T> held_by(renderer::ChildRef leaf) {
         const auto& g = prepared_.geometry;
         if (leaf.kind() == renderer::PrimitiveKind::kBox) {
-            const ir::ObjectId id = g.box_objects[leaf.index()];
+            const ir::ObjectId id = renderer::box_object(leaf);
             seen_[id.value] += 1;
             const ir::Box& box = scene_.boxes[scene_.objects[id.value].shape];
             return {prepared_.to_local(box.min), prepared_.to_local(box.max)};
@@ -150,7 +150,7 @@ void check_whole(double together) {
 }
 
 template <typename U>
-bool same_bytes(const std::vector<U>& a, const std::vector<U>& b) {
+bool same_bytes(const renderer::LargeVector<U>& a, const renderer::LargeVector<U>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(U)) == 0;
 }
 

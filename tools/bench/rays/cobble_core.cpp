@@ -175,8 +175,6 @@ template <typename T>
 std::uint64_t tree_bytes(const PreparedScene<T>& fast) {
     const auto& g = fast.geometry;
     std::uint64_t sum = bytes_of(g.wide);
-    sum += g.boxes.size() * sizeof(renderer::BoxPrimitive<T>) +
-           g.box_objects.size() * sizeof(ir::ObjectId);
     sum += g.instances.size() * sizeof(renderer::Instance<T>) +
            g.instance_keys.size() * sizeof(renderer::InstanceKey<T>);
     for (const auto& mesh : g.meshes) sum += bytes_of(mesh.wide);
