@@ -157,10 +157,14 @@ TriangleHit<T> met_at(const RayShear<T>& ray, const std::array<math::Vec3<T>, 3>
 /// 1 to the next number. A slope of at most 1 errs by 1 unit, so that a sheared number errs by 2
 /// units of itself and 4 of its depth; two of them multiply with others of at most `size`. The rest
 /// is for the squares of those errors, and for the roundings of this bound.
+///
+/// Multiplied in this order: where a product of an edge function overflows, so does the one of the
+/// sizes, and the bound is infinite. An edge function that is infinite may be off by all of itself,
+/// if its other product is as large.
 template <typename R>
 R edge_error(R unit, R size, R depth) {
     const R reach = size + 16 * unit * depth;
-    return 8 * unit * reach * (reach + depth);
+    return 8 * unit * (reach * (reach + depth));
 }
 
 template <typename T>

@@ -29,7 +29,7 @@ template <class D, class V = hn::Vec<D>, typename T = hn::TFromD<D>>
 HWY_INLINE V edge_errors(D d, V size, V depth) {
     const auto unit = [d](T times) HWY_ATTR { return hn::Set(d, times * kRounding<T>); };
     const auto reach = hn::Add(size, hn::Mul(unit(16), depth));
-    return hn::Add(hn::Mul(hn::Mul(unit(8), reach), hn::Add(reach, depth)),
+    return hn::Add(hn::Mul(unit(8), hn::Mul(reach, hn::Add(reach, depth))),
                    hn::Set(d, detail::kEdgeThreshold<T>));
 }
 
