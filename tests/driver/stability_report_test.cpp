@@ -89,4 +89,22 @@ TEST_CASE("stability: a sound scene is reported clean") {
     CHECK(json.find("\"clean\": true") != std::string::npos);
 }
 
+TEST_CASE("stability: an object is counted once, as what float lost or as what was never there") {
+    const Written written;
+    renderer::Stability stability = written.measure(test::sound);
+    using Kind = renderer::PreparationNote::Kind;
+    const auto line = [&] {
+        return stability_line({stability, written.scene, written.sources, "a.scene", 640, 480});
+    };
+    const auto ends = [&](std::string_view end) { return line().ends_with(end); };
+    stability.notes = {{Kind::kDegenerate, ir::ObjectId{0}, 0, 3}};
+    CHECK(ends("at least, 1 object without extent, or in part\n"));
+    CHECK(written.text(stability).find("float is good enough") != std::string::npos);
+    stability.notes = {{Kind::kFlattened, ir::ObjectId{0}, 0, 3},
+                       {Kind::kOutOfRange, ir::ObjectId{0}, 4, 1},
+                       {Kind::kDegenerate, ir::ObjectId{1}, 0, 1}};
+    CHECK(ends("at least, 1 object lost by float, 1 object without extent, or in part\n"));
+    CHECK(written.text(stability).find("float is good enough") == std::string::npos);
+}
+
 }  // namespace cobble::driver

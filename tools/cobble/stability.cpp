@@ -59,8 +59,10 @@ class StabilityCommand {
         const View view = make_view("stability", options_.view, true);
         if (view.status != 0) return view.status;
         const renderer::Stability stability = measure(view.loaded.lowered.scene);
+        // What its objects are said to stand in.
+        const source::SourceMap& sources = view.loaded.session->sources;
         const driver::StabilityReport report =
-            report_of(stability, view.loaded, options_.view.scene);
+            report_of(stability, view.loaded, sources.path(view.loaded.session->scene));
         context_.out.write(json_ ? driver::pretty(driver::stability_to_json(report))
                                  : driver::stability_to_text(report, style_));
         return stability.clean() && !driver::has_errors(view.loaded.diagnostics) ? kDone

@@ -211,13 +211,13 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
         return view;
     }
     report_to_error(view.loaded, quiet);
+    const std::string name = options.scene == "-" ? "the scene" : options.scene;
     if (driver::has_errors(view.loaded.diagnostics) && !options.keep_going) {
-        give_up(kFindings, options.scene + " has errors (--keep-going renders what is sound)");
+        give_up(kFindings, name + " has errors (--keep-going renders what is sound)");
         return view;
     }
     if (!view.loaded.lowered.renderable) {
-        give_up(kFindings, (options.scene == "-" ? "the scene" : options.scene) + " has " +
-                               what_is_missing(view.loaded.lowered));
+        give_up(kFindings, name + " has " + what_is_missing(view.loaded.lowered));
         return view;
     }
     ir::Scene& scene = view.loaded.lowered.scene;

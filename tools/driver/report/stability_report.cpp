@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "tools/driver/report/excerpt.hpp"
 #include "tools/driver/report/object_words.hpp"
@@ -158,6 +159,24 @@ Shortcomings shortcomings_of(const renderer::Stability& stability) {
     return sum;
 }
 
+/// Objects of which the notes say something, each counted once.
+struct Lost {
+    std::uint64_t by_float = 0;    ///< that another number type, or another place, would save
+    std::uint64_t as_written = 0;  ///< that have no extent, or parts without it, in any
+};
+
+Lost lost_of(const renderer::Stability& stability) {
+    using Note = renderer::PreparationNote;
+    std::vector<ir::ObjectId> by_float;
+    std::vector<ir::ObjectId> as_written;
+    for (const Note& note : stability.notes) {
+        auto& objects = note.kind == Note::Kind::kDegenerate ? as_written : by_float;
+        // An object's notes come one behind the other.
+        if (objects.empty() || objects.back() != note.object) objects.push_back(note.object);
+    }
+    return {by_float.size(), as_written.size()};
+}
+
 std::uint64_t rays_of(const renderer::Stability& s) {
     return s.rays + s.picture_rays + s.departures;
 }
@@ -181,7 +200,7 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
         text +=
             "where float is too coarse, `cobble lint` says by how much and --precision double "
             "renders it; elsewhere a fault is one of the renderer\n";
-    } else if (few == 0 && s.notes.empty() && s.worst) {
+    } else if (few == 0 && lost_of(s).by_float == 0 && s.worst) {
         text += fmt::format(
             "float is good enough: a pixel is {} of its steps wide at least, and {} would do\n",
             steps_text(s.worst->ulps()), renderer::kFewUlps);
@@ -258,8 +277,12 @@ std::string stability_line(const StabilityReport& report) {
         text += fmt::format(", a pixel is {} steps of float at least", steps_text(s.worst->ulps()));
     }
     if (few > 0) text += fmt::format(", {} with too few digits", counted(few, "object"));
-    if (!s.notes.empty()) {
-        text += fmt::format(", {} lost by float", counted(s.notes.size(), "object"));
+    const Lost lost = lost_of(s);
+    if (lost.by_float > 0) {
+        text += fmt::format(", {} lost by float", counted(lost.by_float, "object"));
+    }
+    if (lost.as_written > 0) {
+        text += fmt::format(", {} without extent, or in part", counted(lost.as_written, "object"));
     }
     if (!s.complete) text += ", stopped early";
     return text + "\n";
