@@ -9,6 +9,7 @@
 
 #include "renderer/accel/binary_builder.hpp"
 #include "renderer/accel/half_area.hpp"
+#include "renderer/accel/tree_limits.hpp"
 
 namespace cobble::renderer {
 
@@ -190,6 +191,7 @@ class Collapse {
 template <typename T>
 WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items, const BuildControl& control) {
     if (items.empty()) return {};
+    require_room(items.size());
     const BinaryTree<T> binary = build_binary_tree(items, control);
     if (control.stopped()) return {};
     return Collapse<T>(binary, items).run(control);

@@ -28,7 +28,7 @@ struct WideBuild {
 
 /// Reorders `items` so that each block's are neighbours. Slots of boxes, instances and moving
 /// things carry the item's own index. The same on every machine, however many work at it;
-/// O(n log n), also for a million items in one place. At most ChildRef::kMostIndex items of a kind.
+/// O(n log n), also for a million items in one place. Throws TooManyThings beyond kMostThings.
 template <typename T>
 WideBuild<T> build_wide_tree(std::vector<BuildItem<T>>& items, const BuildControl& control = {});
 

@@ -10,6 +10,7 @@
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
 #include "renderer/accel/builder.hpp"
+#include "renderer/accel/tree_limits.hpp"
 #include "renderer/accel/wide_builder.hpp"
 #include "renderer/geometry/bounds.hpp"
 #include "renderer/geometry/wide.hpp"
@@ -90,7 +91,8 @@ class Preparation {
     }
 
   private:
-    /// Arrays of millions that grow as they are filled would be moved again and again.
+    /// Arrays of millions that grow as they are filled would be moved again and again. Nothing is
+    /// taken for what no tree could hold.
     void reserve() {
         std::size_t all = 0;
         std::size_t triangles = 0;
@@ -98,14 +100,16 @@ class Preparation {
         std::size_t boxes = 0;
         for (const ir::Object& object : scene_.objects) {
             const bool placed = object.placement.count > 0;
-            const bool mesh = object.kind == ir::ShapeKind::kMesh && !placed;
+            const bool mesh = object.kind == ir::ShapeKind::kMesh;
             const std::size_t things = mesh ? scene_.meshes[object.shape].faces.size() : 1;
-            all += things;
+            require_room(things);  // a placed mesh has a tree of its own
+            all += placed ? 1 : things;
             if (placed) continue;
             if (mesh || object.kind == ir::ShapeKind::kTriangle) triangles += things;
             if (object.kind == ir::ShapeKind::kSphere) spheres += 1;
             if (object.kind == ir::ShapeKind::kBox) boxes += 1;
         }
+        require_room(all);
         items_.reserve(all);
         geometry().triangles.reserve(triangles);
         geometry().spheres.reserve(spheres);

@@ -49,7 +49,8 @@ struct PreparedScene {
 };
 
 /// Costs O(n log n) time and some 150 bytes a triangle in float. Takes any scene that lowering
-/// returns; meets no number that it cannot treat.
+/// returns; meets no number that it cannot treat. Throws TooManyThings (a std::bad_alloc) for more
+/// than a tree can hold.
 template <typename T>
 PreparedScene<T> prepare(const ir::Scene& scene, const PrepareOptions& options = {});
 

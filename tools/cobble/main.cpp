@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/accel/tree_limits.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/help.hpp"
@@ -137,6 +138,9 @@ int main(int argc, char** argv) {
     cobble::exit_on_interrupt();
     try {
         return cobble::run(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    } catch (const cobble::renderer::TooManyThings& problem) {
+        cobble::driver::complain(problem.what());
+        return cobble::kFailure;
     } catch (const std::bad_alloc&) {
         cobble::driver::complain("out of memory");
         return cobble::kFailure;
