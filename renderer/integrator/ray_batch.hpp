@@ -11,6 +11,7 @@
 
 #include "renderer/integrator/columns.hpp"
 #include "renderer/intersect/batch.hpp"
+#include "renderer/wide/wide.hpp"
 
 namespace cobble::renderer {
 
@@ -107,8 +108,8 @@ class Pace {
     /// What the core may do between two looks: 2 ms at 10 ns a test, far below the 10 ms by which a
     /// step may overrun. One batch of an ordinary scene is a tenth of it.
     static constexpr std::uint64_t kTestsAtOnce = 200000;
-    /// A packet or two, so that they are worth their name; 10 ms if each ray takes 60,000 tests.
-    static constexpr std::size_t kFewestAtOnce = 16;
+    /// So many that packets are worth their name; 10 ms if each ray takes 60,000 tests.
+    static constexpr std::size_t kFewestAtOnce = kFewestTogether;
 
     std::size_t at_once_ = kFewestAtOnce;
 };

@@ -10,6 +10,7 @@ Counters& Counters::operator+=(const Counters& other) {
     refracted_rays += other.refracted_rays;
     box_tests += other.box_tests;
     primitive_tests += other.primitive_tests;
+    packet_rays += other.packet_rays;
     return *this;
 }
 

@@ -20,6 +20,7 @@ struct Counters {
     std::uint64_t refracted_rays = 0;
     std::uint64_t box_tests = 0;
     std::uint64_t primitive_tests = 0;
+    std::uint64_t packet_rays = 0;  ///< searched in packets, once for each question
 
     [[nodiscard]] std::uint64_t rays() const {
         return camera_rays + shadow_rays + reflected_rays + refracted_rays;

@@ -42,13 +42,14 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
-        if (count <= kPacketRays / 4 ||
+        if (count < kFewestTogether ||
             !gather(q.rays + first, q.excludes + first, count, hits + first, packet)) {
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
         test_planes<kAny>(*q.geometry, packet);
         walk_packet<kAny>(*q.geometry, packet);
+        counters.packet_rays += count;
         counters.box_tests += packet.box_tests;
         counters.primitive_tests += packet.primitive_tests;
         if (kAny && !packet.stayed_together()) pause = kPause;

@@ -10,6 +10,9 @@
 
 namespace cobble::renderer {
 
+/// Coherent rays that are fewer than this are searched one by one: a packet is not worth beginning.
+inline constexpr std::size_t kFewestTogether = 16;
+
 /// `count` rays against a scene prepared for the fast core. With `any` a ray ends at the first hit
 /// in its interval, whichever it is, and only `object` has a meaning. `coherent`: neighbours in the
 /// array go much the same way; a wrong word costs time, never an answer.

@@ -6,10 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "renderer/intersect/batch.hpp"
 #include "renderer/intersect/instruction_set.hpp"
+#include "renderer/wide/wide.hpp"
 #include "tests/hard/cores.hpp"
 #include "tests/hard/mixed.hpp"
 #include "tests/support/record.hpp"
@@ -80,6 +83,30 @@ TEST_CASE("there is always an instruction set, and an unknown one changes nothin
     CHECK_FALSE(renderer::instruction_sets().empty());
     CHECK_FALSE(renderer::use_instruction_set("abacus"));
     CHECK(renderer::use_instruction_set(""));
+}
+
+TEST_CASE("so many coherent rays are a packet, and one fewer are none") {
+    const bool lanes = renderer::instruction_sets().front() != "scalar";
+    SceneMaker make;
+    make.sphere({0, 0, 0}, 1);
+    renderer::PrepareOptions options;
+    options.acceleration = renderer::Acceleration::kFast;
+    const auto scene = renderer::prepare<float>(make.scene, options);
+    const auto packet_rays = [&](std::size_t count) {
+        const std::vector<renderer::Ray<float>> rays(count,
+                                                     ray<float>({1, 2, 9}, {-0.1, -0.2, -1}));
+        const std::vector<renderer::Exclude> excludes(count);
+        std::vector<renderer::Hit<float>> hits(count);
+        renderer::Counters counters;
+        closest_hits(scene, std::span(rays), std::span(excludes), std::span(hits), counters,
+                     renderer::Coherence::kCoherent);
+        return counters.packet_rays;
+    };
+    constexpr std::size_t kFew = renderer::kFewestTogether;
+    CHECK(packet_rays(kFew - 1) == 0);
+    CHECK(packet_rays(kFew) == (lanes ? kFew : 0));
+    // Two packets, and too few for a third.
+    CHECK(packet_rays(128 + kFew - 1) == (lanes ? 128 : 0));
 }
 
 TEST_CASE("an answer that differs in its last bit is told of every core") {
