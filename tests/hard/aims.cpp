@@ -167,6 +167,26 @@ void add_moving(std::vector<Aim>& all) {
 
 }  // namespace
 
+std::array<AimedRay, kBundle> bundle_of(const Aim& aim, Random& random) {
+    const AimedRay middle = aim.next(random);
+    const Vec3d way = middle.target - middle.origin;
+    std::array<AimedRay, kBundle> rays;
+    rays.fill(middle);
+    for (AimedRay& r : rays) {
+        // By a share of each coordinate, so that all go into one octant, or along an axis.
+        const auto off = [&](int least) {
+            const Vec3d by =
+                random.point(std::ldexp(1.0, -least - static_cast<int>(random.below(30))));
+            return Vec3d{way.x * by.x, way.y * by.y, way.z * by.z};
+        };
+        if (random.below(4) == 0) continue;
+        r.target = r.target + off(10);
+        // So little that it stays within the flattest of solids.
+        if (random.below(2) == 0) r.origin = r.origin + off(30);
+    }
+    return rays;
+}
+
 std::vector<Solid> closed_solids() {
     return {icosphere(2), icosphere(0), square_prism(), random_star(1, 5), random_star(2, 6)};
 }

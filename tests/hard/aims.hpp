@@ -3,6 +3,9 @@
 // outlines, as many as one likes.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,6 +33,22 @@ struct Aim {
 
 /// All of them; the order is fixed.
 std::vector<Aim> aims();
+
+/// An aimed ray and others that go for much the same place from nearly the same one, as many as a
+/// packet of the fast core takes. Some of them are the same ray; the others pass it at distances of
+/// all orders of size. What the one cannot miss none of them can.
+inline constexpr std::size_t kBundle = 64;
+std::array<AimedRay, kBundle> bundle_of(const Aim& aim, Random& random);
+
+/// Calls give(AimedRay) `count` times: `bundled` rays in whole bundles, and others one by one.
+template <typename Give>
+void aim_rays(const Aim& aim, std::size_t count, std::size_t bundled, Random& random, Give give) {
+    std::size_t given = 0;
+    for (; given + kBundle <= std::min(count, bundled); given += kBundle) {
+        for (const AimedRay& r : bundle_of(aim, random)) give(r);
+    }
+    for (; given < count; ++given) give(aim.next(random));
+}
 
 /// As the ray loop of a prepared scene wants it.
 template <typename T>

@@ -21,7 +21,6 @@ import xml.etree.ElementTree
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 TABLE = "tests/hard/README.md"
 PAGE = "tools/docs/hard-cases.md"
-PROGRAMS = ("hard", "math", "render", "shading")
 # Rows that the language gives no meaning to, and the words that would give them one.
 NOT_APPLICABLE = {20: ("Cone", "Cylinder")}
 TITLE = re.compile(r'TEST_CASE(?:_TEMPLATE)?\(\s*"(rows? [^"]*)')
@@ -114,6 +113,9 @@ def self_test():
             yield f"the check does not find {name}"
     if rows_of_title("rows 4 and 5: x") != {4, 5} or rows_of_title("row 31: x") != {31}:
         yield "titles are not read"
+    both = {"tests/hard/a_test.cpp": {1}, "tests/ir/b_test.cpp": {1}, "tests/hard/c_test.cpp": {2}}
+    if programs_of(both) != ["hard", "ir"]:
+        yield "a program is left out of the page, or counted twice"
 
 
 def all_titles():
@@ -129,6 +131,11 @@ def all_titles():
     return titles
 
 
+def programs_of(titles):
+    """The test programs that any row is tested by: tests/NAME/x_test.cpp is part of test_NAME."""
+    return sorted({path.split("/")[1] for path in titles})
+
+
 def run_tests(build):
     """({row: checks}, {row: [what was measured]})."""
     checks = {}
@@ -136,7 +143,7 @@ def run_tests(build):
     with tempfile.TemporaryDirectory() as folder:
         results = os.path.join(folder, "results")
         environment = dict(os.environ, COBBLE_HARD_RESULTS=results)
-        for program in PROGRAMS:
+        for program in programs_of(all_titles()):
             run = subprocess.run(
                 [os.path.join(build, "tests", f"test_{program}"), "-tc=row*", "-r=xml"], cwd=ROOT,
                 env=environment, capture_output=True, text=True, check=False)
@@ -166,8 +173,9 @@ def of_aimed_rays(path):
     sets = report["instruction_sets"]
     text = (f"Of {total['rays']:,} different rays at edges, vertices and outlines of "
             f"{len(report['scenes'])} scenes (`bench_aimed`), each asked of the fast core by "
-            f"{', '.join(sets)}, ray by ray, in batches, and in packets where rays go alike, {total['answers']:,} answers "
-            f"in all, {total['leaks']:,} slipped through a closed thing and {total['differ']:,} "
+            f"{', '.join(sets)}, ray by ray, in batches, and in packets where rays go alike, "
+            f"{total['answers']:,} answers in all, {total['in_packets']:,} of them in packets, "
+            f"{total['leaks']:,} slipped through a closed thing and {total['differ']:,} "
             f"differed; {total['wrong']:,} of {total['checked']:,} that brute force was asked about "
             f"were unlike its answer.")
     return textwrap.fill(text, 100)
