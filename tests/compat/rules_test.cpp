@@ -338,6 +338,10 @@ TEST_CASE("textures: no half texel, no repeat, truncated when nearest") {
     CHECK(red_at(-2, 9, false) == doctest::Approx(0));
     CHECK(std::isfinite(red_at(std::nan(""), 0.5, false)));
     CHECK(std::isfinite(red_at(1e300, -1e300, true)));
+    // A picture that is not there, where coordinates are no numbers.
+    image.missing = true;
+    const ir::Color color = compat_texture(image, {std::nan(""), 0.5}, false);
+    CHECK(std::isfinite(color.x + color.y + color.z));
 }
 
 TEST_CASE("cube maps: the published faces, the back one mirrored as it was") {

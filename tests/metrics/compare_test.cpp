@@ -212,6 +212,17 @@ TEST_CASE("what cannot be compared says why") {
     CHECK(compare(a, grey).mse == 0);
 }
 
+TEST_CASE("from so near that a pixel is wider than any feature, there are none to compare") {
+    // The weights of the filters for edges and points are then all 0.
+    Plane32 a = filled(4, 4, 0.5F, 0.5F, 0.5F);
+    Plane32 b = a;
+    b.values[5] = 1;
+    const auto c = compare(a, b, {0.01, true, false});
+    CHECK(c.error.empty());
+    CHECK(std::isfinite(c.flip));
+    CHECK(c.flip > 0);
+}
+
 TEST_CASE("the heat map rises in lightness") {
     Plane32 ramp{101, 1, 1, {}};
     for (int i = 0; i <= 100; ++i) ramp.values.push_back(static_cast<float>(i) / 100);
