@@ -408,44 +408,52 @@ void BatchShading<T>::color(Columns3<T>& colors) {
 }
 
 template <typename T>
-void BatchShading<T>::send_on() {
+bool BatchShading<T>::scatter(const Carried<T>* carried) {
+    if (!any_scatters_) return false;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Carried<T>& of = carried[lane_[i]];
+        on_->weight.set(i, of.weight);
+        on_->index[i] = of.index;
+    }
     (any_glass_ ? loops_->scatter_glass : loops_->scatter_mirror)(*slots_, *hits_, *direction_,
                                                                   *on_, count_);
+    return true;
 }
 
 template <typename T>
-void BatchShading<T>::push_child(const ChildColumns<T>& children, std::size_t entry, RayKind kind,
-                                 const TracedRay<T>& parent,
-                                 std::vector<TracedRay<T>>& stack) const {
-    if (children.matters[entry] == 0) return;
-    const std::size_t slot = slot_of_entry(static_cast<std::int32_t>(entry));
+void BatchShading<T>::append_children(RayKind kind, std::size_t first, std::size_t end,
+                                      const Carried<T>* carried, PendingRays<T>& to) const {
     const bool reflected = kind == RayKind::kReflected;
-    TracedRay<T>& child = stack.emplace_back();
-    child.ray.origin = children.from.at(entry);
-    child.ray.direction = children.direction.at(entry);
-    child.ray.time = parent.ray.time;
-    child.exclude = {ir::ObjectId{slots_->object[slot]}, slots_->face[slot],
-                     children.outward[entry] == 0};
-    child.weight = children.weight.at(entry);
-    child.index = reflected ? parent.index : on_->index_beyond[entry];
-    child.path = reflected ? parent.path.reflected() : parent.path.refracted();
-    child.depth = parent.depth + 1;
-    child.kind = kind;
-}
-
-template <typename T>
-void BatchShading<T>::push_children(std::size_t lane, const TracedRay<T>& parent,
-                                    std::vector<TracedRay<T>>& stack) const {
-    if (entry_[lane] < 0 || parent.depth >= scene_->bounces) return;
-    const auto entry = static_cast<std::size_t>(entry_[lane]);
-    const std::size_t slot = slot_of_entry(entry_[lane]);
-    if (scatters_[slot] == 0) return;
-    if (scene_->effects.refraction && slots_->index[slot] > T(0)) {
-        push_child(on_->refracted, entry, RayKind::kRefracted, parent, stack);
+    const ActiveEffects& effects = scene_->effects;
+    if (reflected ? !effects.reflection : !effects.refraction || !any_glass_) return;
+    // Looked up once: what is written may be anything, for all that the compiler knows.
+    const ChildColumns<T>& children = reflected ? on_->reflected : on_->refracted;
+    const SurfaceSlots<T>& slots = *slots_;
+    const std::int32_t* const slot_of_entry = hits_->slot;
+    const T* const beyond = on_->index_beyond;
+    const Ray<T>* const parents = batch_->rays.data();
+    Ray<T>* rays = to.rays(to.size());
+    Exclude* excludes = to.excludes(to.size());
+    Carried<T>* carries = to.carried(to.size());
+    std::size_t count = 0;
+    for (std::size_t lane = first; lane < end; ++lane) {
+        const std::int32_t entry = entry_[lane];
+        if (entry < 0) continue;
+        const auto i = static_cast<std::size_t>(entry);
+        const auto slot = static_cast<std::size_t>(slot_of_entry[i]);
+        if (scatters_[slot] == 0 || children.matters[i] == 0) continue;
+        // Its t_min and t_max are those of any ray, for good.
+        Ray<T>& ray = rays[count];
+        ray.origin = children.from.at(i);
+        ray.direction = children.direction.at(i);
+        ray.time = parents[lane].time;
+        excludes[count] = {ir::ObjectId{slots.object[slot]}, slots.face[slot],
+                           children.outward[i] == 0};
+        carries[count] = {children.weight.at(i), reflected ? carried[lane].index : beyond[i],
+                          carried[lane].sample};
+        ++count;
     }
-    if (scene_->effects.reflection) {
-        push_child(on_->reflected, entry, RayKind::kReflected, parent, stack);
-    }
+    to.take_in(count);
 }
 
 template <typename T>

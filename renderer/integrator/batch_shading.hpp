@@ -14,6 +14,7 @@
 
 #include "renderer/integrator/column_loops.hpp"
 #include "renderer/integrator/columns.hpp"
+#include "renderer/integrator/pending_rays.hpp"
 #include "renderer/integrator/ray_batch.hpp"
 #include "renderer/integrator/shading_scene.hpp"
 #include "renderer/integrator/stages.hpp"
@@ -66,22 +67,13 @@ class BatchShading {
     /// What ray `lane` met, in full but for texture coordinates that nobody read.
     [[nodiscard]] Encounter<T> encounter(std::size_t lane) const;
 
-    /// What scatter() sends on from each surface; `traced(ray's place in the batch)` is the ray
-    /// that came.
-    template <typename Traced>
-    void scatter(const Traced& traced) {
-        if (!any_scatters_) return;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const TracedRay<T>& ray = traced(lane_[i]);
-            on_->weight.set(i, ray.weight);
-            on_->index[i] = ray.index;
-        }
-        send_on();
-    }
-    /// Puts the children of ray `lane` on a stack, from where it has come off. A reflected ray goes
-    /// before a refracted one.
-    void push_children(std::size_t lane, const TracedRay<T>& parent,
-                       std::vector<TracedRay<T>>& stack) const;
+    /// What scatter() sends on from each surface; `carried` by the ray's place in the batch. False
+    /// if nothing is.
+    bool scatter(const Carried<T>* carried);
+    /// Appends the children of the rays from `first` to before `end`, one turn before those that
+    /// may have any; there is room for all.
+    void append_children(RayKind kind, std::size_t first, std::size_t end,
+                         const Carried<T>* carried, PendingRays<T>& to) const;
 
   private:
     /// How a surface is computed; in this order in the columns.
@@ -107,10 +99,6 @@ class BatchShading {
     void sent_by(const PreparedLight& light);
     void add_highlights();
     void leave_out_below_bent();
-    void send_on();
-    void push_child(const ChildColumns<T>& children, std::size_t entry, RayKind kind,
-                    const TracedRay<T>& parent, std::vector<TracedRay<T>>& stack) const;
-
     const ShadingScene<T>* scene_;
     const ColumnLoops<T>* loops_;
     const RayBatch<T>* batch_ = nullptr;

@@ -2,28 +2,21 @@
 #include "renderer/integrator/batched_tile.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
+#include <utility>
 
 namespace cobble::renderer {
 namespace {
 
-/// Samples on their way at once, at most: so many that two batches are full, and that what they
-/// need stays in the second cache. Measured from 128 to 1024, it made no difference.
-constexpr std::uint32_t kFlights = 256;
-
-/// A sample may run ahead of one that takes long by this many times all flights. A tree of 2^8 rays
-/// beside pixels of one ray then still finds company, and what waits stays small.
-constexpr std::size_t kAhead = 8;
+/// Samples of a run: as many as fill the batches of deep turns, which each are of many paths; but
+/// what one turn hands the next is to stay in the second cache.
+constexpr std::size_t kMostSamples = 1024;
+constexpr std::size_t kFewestSamples = 64;
+/// Rays that a tree is meant to have, and that it may have before it is put aside.
+constexpr std::uint64_t kUsualRays = 1U << 15U;
+constexpr std::size_t kMostRays = 1U << 16U;
 
 /// Fewer rays that went the same way are no packet.
 constexpr std::size_t kFewestCoherent = 16;
-
-std::uint32_t flights_for(const Tile& tile, std::uint32_t samples) {
-    if (tile.pixels() >= kFlights) return kFlights;
-    return static_cast<std::uint32_t>(
-        std::clamp<std::uint64_t>(tile.pixels() * samples, 1, kFlights));
-}
 
 }  // namespace
 
@@ -31,151 +24,239 @@ template <typename T>
 BatchedTile<T>::BatchedTile(const ShadingScene<T>& scene, const Settings& settings,
                             const Tile& tile)
     : scene_(&scene),
-      settings_(&settings),
       only_color_(color_tells_all(scene, settings)),
       samples_(std::max(settings.samples, 1U)),
-      flights_(flights_for(tile, samples_)),
+      left_(tile.pixels() * samples_),
+      run_size_(kMostSamples),
       camera_(scene, settings, tile),
       batch_(scene),
-      landed_(kAhead * std::bit_ceil(flights_.size())),
       next_to_land_(tile) {
-    const std::size_t count = flights_.size();
-    for (Flight& flight : flights_) flight.trace.stack.reserve(deepest_stack(scene));
-    for (auto* list : {&idle_, &next_, &round_}) list->reserve(count);
-    for (std::size_t i = count; i > 0; --i) idle_.push_back(static_cast<std::uint32_t>(i - 1));
+    begin_run();
 }
 
 template <typename T>
 bool BatchedTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
     const auto draw = [this](std::size_t lane, std::uint32_t light) {
-        const Flight& of = flight(lane);
-        return of.sampler.draw(Draw::kLight, of.trace.stack.back().path, light);
+        const PathAddress path = tree_.groups()[parts_[part_of_[lane]].group].path;
+        return flights_[carried_[lane].sample].sampler.draw(Draw::kLight, path, light);
     };
     while (!work.done()) {
         if (stop.between_stages(work.counters.tests())) return false;
         if (!on_its_way_) {
-            gather(work);
+            begin_batch(work);
         } else if (batch_.step(work.counters, draw)) {
-            scatter_all();
-            land(work, film);
+            scatter();
+            end_batch(work, film);
         }
     }
     return true;
 }
 
 template <typename T>
-void BatchedTile<T>::begin_samples(const Tile& tile) {
-    while (!idle_.empty()) {
-        const std::uint64_t ahead = camera_.next().number - next_to_land_.number;
-        camera_.begin(
-            tile, std::min(idle_.size(), landed_.size() - static_cast<std::size_t>(ahead)), begun_);
-        if (begun_.empty()) return;
-        std::uint64_t number = camera_.next().number - begun_.size();
-        for (std::size_t i = 0; i < begun_.size(); ++i) {
-            const std::uint32_t index = idle_.back();
-            idle_.pop_back();
-            next_.push_back(index);
-            Flight& flight = flights_[index];
-            flight.sampler = camera_.sampler(i);
-            flight.number = number++;
-            flight.trace.sample = {};
-            flight.trace.first_object = {};
-            flight.trace.stack.emplace_back().ray = begun_.rays[i];
-        }
-    }
+void BatchedTile<T>::begin_run() {
+    flights_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(run_size_, left_)));
+    left_ -= flights_.size();
+    run_rays_ = 0;
+    begun_ = 0;
+    depth_ = 0;
+    tree_.begin(PathAddress{}, flights_.size());
 }
 
-/// By the turns of their rays, those of a few turns one by one; else as they were.
 template <typename T>
-void BatchedTile<T>::sort_round() {
-    constexpr std::size_t kPaths = 256;  // all of up to seven turns
-    const auto path_of = [this](std::uint32_t index) {
-        return std::min<std::uint64_t>(flights_[index].trace.stack.back().path.value(), kPaths - 1);
-    };
-    std::array<std::uint32_t, kPaths + 1> begins{};
-    for (const std::uint32_t index : next_) ++begins[path_of(index) + 1];
-    for (std::size_t i = 0; i < kPaths; ++i) begins[i + 1] += begins[i];
-    round_.resize(next_.size());
-    for (const std::uint32_t index : next_) round_[begins[path_of(index)]++] = index;
-    next_.clear();
-}
-
-/// The next batch of the round, or the first of a new one. New samples are begun only when half of
-/// the flights are idle, so that their rays are many: those from the camera are the most coherent.
-template <typename T>
-void BatchedTile<T>::gather(TileWork& work) {
-    RayBatch<T>& rays = batch_.rays();
-    first_ += rays.size();
-    if (first_ == round_.size()) {
-        if (2 * idle_.size() >= flights_.size()) begin_samples(work.tile);
-        sort_round();
-        first_ = 0;
+void BatchedTile<T>::begin_batch(TileWork& work) {
+    if (depth_ == 0) {
+        begin_camera_batch(work);
+    } else {
+        begin_turn_batch(work);
     }
-    rays.clear();
-    const std::size_t count = std::min(kBatchSize, round_.size() - first_);
-    PathAddress path;
-    std::size_t alike = 0;
-    const auto end_stretch = [&] {
-        rays.end_stretch(alike >= kFewestCoherent ? Coherence::kCoherent : Coherence::kNone);
-        alike = 0;
-    };
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        const TracedRay<T>& ray = flight(lane).trace.stack.back();
-        if (ray.path.value() != path.value()) {
-            end_stretch();
-            path = ray.path;
-        }
-        ++alike;
-        rays.add(ray.ray, ray.exclude);
-        renderer::count(work.counters, ray.kind);
-    }
-    end_stretch();
+    run_rays_ += batch_.rays().size();
     batch_.begin();
     on_its_way_ = true;
 }
 
 template <typename T>
-void BatchedTile<T>::scatter_all() {
-    const std::size_t count = batch_.rays().size();
-    BatchShading<T>& shading = batch_.shading();
-    shading.scatter([this](std::size_t lane) -> const TracedRay<T>& {
-        return flight(lane).trace.stack.back();
-    });
-    for (std::size_t lane = 0; lane < count; ++lane) {
-        Flight& flight = this->flight(lane);
-        SampleTrace<T>& trace = flight.trace;
-        const TracedRay<T> ray = trace.stack.back();
-        trace.stack.pop_back();
-        trace.sample.color += (ray.weight * batch_.colors().at(lane)).template to<double>();
-        if (ray.kind == RayKind::kCamera) {
-            trace.first_object = batch_.hit(lane).object;
-            if (!only_color_) see_first(trace.sample, shading.encounter(lane));
-        }
-        shading.push_children(lane, ray, trace.stack);
-        const std::uint32_t index = round_[first_ + lane];
-        if (!trace.done()) {
-            next_.push_back(index);
-            continue;
-        }
-        landed_[flight.number % landed_.size()] = {trace.sample, trace.first_object, true};
-        idle_.push_back(index);
+void BatchedTile<T>::begin_camera_batch(TileWork& work) {
+    camera_.begin(work.tile, flights_.size() - begun_, from_camera_);
+    RayBatch<T>& rays = batch_.rays();
+    rays = from_camera_;
+    work.counters.camera_rays += rays.size();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        Flight& flight = flights_[begun_ + i];
+        flight = {};
+        flight.sampler = camera_.sampler(i);
+        carried_[i] = {};
+        carried_[i].sample = static_cast<std::uint32_t>(begun_ + i);
     }
-    on_its_way_ = false;
+    begun_ += rays.size();
+    parts_[0] = {0, rays.size()};
+    part_count_ = 1;
+    std::fill_n(part_of_.begin(), rays.size(), std::uint8_t{0});
 }
 
-/// Into the pixel, in the order of samples, whatever has landed without a gap.
+/// The next rays of the turn, all of one kind.
+template <typename T>
+void BatchedTile<T>::begin_turn_batch(TileWork& work) {
+    RayBatch<T>& rays = batch_.rays();
+    if (at_ == now_[turn_].size()) {
+        ++turn_;
+        at_ = 0;
+    }
+    PendingRays<T>& from = now_[turn_];
+    const std::size_t count = std::min(kBatchSize, from.size() - at_);
+    (turn_ == 0 ? work.counters.reflected_rays : work.counters.refracted_rays) += count;
+    rays.begin(count);
+    std::copy_n(from.rays(at_), count, rays.rays.begin());
+    std::copy_n(from.excludes(at_), count, rays.excludes.begin());
+    std::copy_n(from.carried(at_), count, carried_.begin());
+    at_ += count;
+    part_count_ = 0;
+    for (std::size_t lane = 0; lane < count;) {
+        const std::size_t end = std::min(count, lane + (tree_.groups()[group_].end - ray_));
+        const bool alike = end - lane >= kFewestCoherent;
+        rays.end_stretch_at(end, alike ? Coherence::kCoherent : Coherence::kNone);
+        std::fill(part_of_.begin() + lane, part_of_.begin() + end,
+                  static_cast<std::uint8_t>(part_count_));
+        parts_[part_count_++] = {group_, end};
+        ray_ += end - lane;
+        if (ray_ == tree_.groups()[group_].end) ++group_;
+        lane = end;
+    }
+}
+
+/// From the batch's colours to the tree, and from its rays to the next turn.
+template <typename T>
+void BatchedTile<T>::scatter() {
+    const std::size_t count = batch_.rays().size();
+    BatchShading<T>& shading = batch_.shading();
+    tree_.bring(batch_.colors(), carried_.data(), count);
+    if (depth_ == 0) {
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            Flight& flight = flights_[carried_[lane].sample];
+            flight.first_object = batch_.hit(lane).object;
+            if (!only_color_) see_first(flight.sample, shading.encounter(lane));
+        }
+    }
+    if (depth_ >= scene_->bounces || !shading.scatter(carried_.data())) return;
+    for (std::size_t turn = 0; turn < kTurns; ++turn) {
+        PendingRays<T>& to = next_[turn];
+        std::vector<Born>& born = born_[turn];
+        to.make_room(count);
+        std::size_t lane = 0;
+        for (std::size_t i = 0; i < part_count_; ++i) {
+            const std::size_t before = to.size();
+            shading.append_children(kTurn[turn], lane, parts_[i].end, carried_.data(), to);
+            lane = parts_[i].end;
+            if (to.size() == before) continue;
+            // A group's rays may be of several batches.
+            if (!born.empty() && born.back().parent == parts_[i].group) {
+                born.back().end = to.size();
+            } else {
+                born.push_back({parts_[i].group, to.size()});
+            }
+        }
+    }
+}
+
+template <typename T>
+void BatchedTile<T>::end_batch(TileWork& work, Film& film) {
+    on_its_way_ = false;
+    const bool turn_ends =
+        depth_ == 0 ? begun_ == flights_.size()
+                    : at_ == now_[turn_].size() && (turn_ + 1 == kTurns || now_[turn_ + 1].empty());
+    if (!turn_ends) return;
+    if (next_turn()) {
+        if (tree_.ray_count() <= kMostRays) return;
+        put_aside();
+    } else {
+        tree_.visit_all([this](std::uint32_t index) { add_all(tree_.groups()[index]); });
+    }
+    if (take_up()) return;
+    land(work, film);
+    const std::uint64_t of_one = run_rays_ / flights_.size() + 1;
+    run_size_ = std::clamp<std::size_t>(kUsualRays / of_one, kFewestSamples, kMostSamples);
+    begin_run();
+}
+
+/// False if there is none.
+template <typename T>
+bool BatchedTile<T>::next_turn() {
+    group_ = static_cast<std::uint32_t>(tree_.groups().size());
+    ray_ = tree_.ray_count();
+    for (std::size_t turn = 0; turn < kTurns; ++turn) {
+        std::size_t before = 0;
+        for (const Born& born : born_[turn]) {
+            tree_.add(born.parent, turn, born.end - before);
+            before = born.end;
+        }
+        born_[turn].clear();
+        std::swap(now_[turn], next_[turn]);
+        next_[turn].clear();
+    }
+    ++depth_;
+    turn_ = 0;
+    at_ = 0;
+    return !now_[0].empty() || !now_[1].empty();
+}
+
+/// Adds what comes before the groups of the turn that has not been, and puts those and what comes
+/// behind them aside.
+template <typename T>
+void BatchedTile<T>::put_aside() {
+    std::vector<Aside> in_order;
+    bool open = false;  ///< what is added comes behind the last one put aside
+    tree_.visit_all([&](std::uint32_t index) {
+        const RayGroup& group = tree_.groups()[index];
+        if (index >= group_) {
+            if (!open) in_order.emplace_back();
+            open = false;
+            Aside& aside = in_order.back();
+            const bool reflected = group.end - ray_ <= now_[0].size();
+            aside.turn = reflected ? 0 : 1;
+            const std::size_t first = group.begin - ray_ - (reflected ? 0 : now_[0].size());
+            aside.rays.append(now_[aside.turn], first, group.end - group.begin);
+            aside.path = group.path;
+            aside.depth = depth_;
+        } else if (in_order.empty()) {
+            add_all(group);
+        } else {
+            if (!open) in_order.emplace_back();
+            open = true;
+            tree_.each_brought(
+                group, [&](const auto& brought) { in_order.back().brought.push_back(brought); });
+        }
+    });
+    std::move(in_order.rbegin(), in_order.rend(), std::back_inserter(aside_));
+}
+
+/// The next of what was put aside; false if nothing is.
+template <typename T>
+bool BatchedTile<T>::take_up() {
+    while (!aside_.empty()) {
+        Aside aside = std::move(aside_.back());
+        aside_.pop_back();
+        for (const auto& brought : aside.brought) add(brought);
+        if (aside.rays.empty()) continue;
+        tree_.begin(aside.path, aside.rays.size());
+        for (PendingRays<T>& rays : now_) rays.clear();
+        now_[aside.turn] = std::move(aside.rays);
+        depth_ = aside.depth;
+        turn_ = at_ = ray_ = 0;
+        group_ = 0;
+        return true;
+    }
+    return false;
+}
+
+/// Into the pixels.
 template <typename T>
 void BatchedTile<T>::land(TileWork& work, Film& film) {
-    while (!work.done()) {
-        Landed& landed = landed_[next_to_land_.number % landed_.size()];
-        if (!landed.there) return;
-        landed.there = false;
+    for (const Flight& flight : flights_) {
         const PixelPlace at = next_to_land_.place;
-        const std::uint32_t sample = next_to_land_.sample;
         const bool sound =
-            only_color_ ? sums_.add_color(landed.sample.color) : sums_.add(landed.sample);
+            only_color_ ? sums_.add_color(flight.sample.color) : sums_.add(flight.sample);
         if (!sound) {
-            work.report(bad_sample(*scene_->source, at.x, at.y, sample, landed.first_object));
+            work.report(
+                bad_sample(*scene_->source, at.x, at.y, next_to_land_.sample, flight.first_object));
         }
         ++work.samples_done;
         next_to_land_.advance(work.tile, samples_);

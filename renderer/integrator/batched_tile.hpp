@@ -1,27 +1,33 @@
 // SPDX-License-Identifier: MIT
 // The fast way through a tile of a scene in which rays go on from surfaces: many samples on their
-// way at once, each with its own stack.
+// way at once, turn by turn.
 //
-// A round: samples that ended make room for new ones; the top rays of all stacks are sorted by the
-// turns that led to them, so that those of neighbouring samples that went the same way lie side by
-// side, and go in batches through the stages. Each ray brings back its colour and puts its children
-// on its own stack. Within a sample everything is added in the order of the reference, and samples
-// are added to their pixels in the order of the samples, so that the pictures are the same bits.
+// All samples of a run send their first rays, then those that go on from there, and so on. Children
+// of a turn are written behind each other, the reflected ones apart from the refracted ones, so
+// that rays that went the same way lie side by side, in the order of their pixels, and batches are
+// full whatever the path. What each ray brings back is kept; in the end all of it is added to the
+// samples in the order of the reference, and the samples to their pixels in their order, so that
+// the pictures are the same bits. A tree that grows too big is put aside, and what is left of it
+// followed path by path.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "renderer/film/film.hpp"
 #include "renderer/integrator/batch_stages.hpp"
 #include "renderer/integrator/camera_batch.hpp"
+#include "renderer/integrator/pending_rays.hpp"
+#include "renderer/integrator/ray_tree.hpp"
 #include "renderer/integrator/trace.hpp"
 #include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
 
-/// Memory: about 1 kB for each sample on its way, 80 bytes more a bounce, and eight times 104 bytes
-/// for those that wait for it; in single precision.
+/// Memory: some 150 bytes for each sample of a run, and in single precision 16 for each ray of its
+/// trees and 68 for each ray of two turns. There are at most 65,000 rays of one, or twice that in a
+/// turn; each six turns more, at the worst, may put as many aside.
 template <typename T>
 class BatchedTile final : public PausedWork {
   public:
@@ -34,41 +40,78 @@ class BatchedTile final : public PausedWork {
   private:
     /// A sample on its way.
     struct Flight {
-        SampleTrace<T> trace;
-        Sampler sampler{0, 0, 0, 0};
-        std::uint64_t number = 0;  ///< among the tile's samples
-    };
-    /// A sample at its end, which may have to wait for earlier ones.
-    struct Landed {
         Sample sample;
+        Sampler sampler{0, 0, 0, 0};
         ir::ObjectId first_object;
-        bool there = false;
+    };
+    /// A group that is to be: its parent, and where it ends among its turn's rays of its kind.
+    struct Born {
+        std::uint32_t parent;
+        std::size_t end;
+    };
+    /// Put aside: what is added first, then what is followed.
+    struct Aside {
+        std::vector<Brought<T>> brought;
+        PathAddress path;
+        PendingRays<T> rays;
+        std::size_t turn = 0;
+        std::uint32_t depth = 0;
     };
 
-    void gather(TileWork& work);
-    void begin_samples(const Tile& tile);
-    void sort_round();
-    void scatter_all();
+    void begin_run();
+    void begin_batch(TileWork& work);
+    void begin_camera_batch(TileWork& work);
+    void begin_turn_batch(TileWork& work);
+    void scatter();
+    void end_batch(TileWork& work, Film& film);
+    bool next_turn();
+    void put_aside();
+    bool take_up();
+    void add(const Brought<T>& brought) {
+        flights_[brought.sample].sample.color += brought.color.template to<double>();
+    }
+    void add_all(const RayGroup& group) {
+        tree_.each_brought(group, [this](const Brought<T>& brought) { add(brought); });
+    }
     void land(TileWork& work, Film& film);
-    [[nodiscard]] Flight& flight(std::size_t lane) { return flights_[round_[first_ + lane]]; }
 
     const ShadingScene<T>* scene_;
-    const Settings* settings_;
     bool only_color_;
     std::uint32_t samples_;  ///< a pixel
+    std::uint64_t left_;     ///< samples of the tile that are in no run yet
 
+    // A run of samples.
+    std::size_t run_size_;
     std::vector<Flight> flights_;
-    std::vector<std::uint32_t> idle_;  ///< flights without a sample
-    std::vector<std::uint32_t> next_;  ///< the others, for the next round
-    std::vector<std::uint32_t> round_;
-    std::size_t first_ = 0;  ///< of the round: where the batch begins
+    std::size_t begun_ = 0;
+    std::uint64_t run_rays_ = 0;
     CameraBatch<T> camera_;
-    RayBatch<T> begun_;  ///< by it
+    RayBatch<T> from_camera_;
+    RayTree<T> tree_;
+    std::vector<Aside> aside_;  ///< the next one last
+
+    // A turn; the camera's rays are number 0.
+    std::uint32_t depth_ = 0;
+    std::array<PendingRays<T>, kTurns> now_, next_;
+    std::array<std::vector<Born>, kTurns> born_;  ///< groups of the next
+    // Where the next batch begins, of turns that are not the camera's.
+    std::size_t turn_ = 0;     ///< kind of its rays
+    std::size_t at_ = 0;       ///< among those of its kind
+    std::size_t ray_ = 0;      ///< among those of the tree
+    std::uint32_t group_ = 0;  ///< of the tree
 
     bool on_its_way_ = false;  ///< a batch is
     BatchStages<T> batch_;
+    std::array<Carried<T>, kBatchSize> carried_;
+    /// The groups of its rays.
+    struct Part {
+        std::uint32_t group = 0;
+        std::size_t end = 0;
+    };
+    std::array<Part, kBatchSize> parts_;
+    std::size_t part_count_ = 0;
+    std::array<std::uint8_t, kBatchSize> part_of_{};
 
-    std::vector<Landed> landed_;  ///< by number, modulo their count
     SampleCursor next_to_land_;
     PixelAccumulator sums_;  ///< of the pixel that lands next
 };
