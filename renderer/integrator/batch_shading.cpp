@@ -421,8 +421,8 @@ bool BatchShading<T>::scatter(const Carried<T>* carried) {
 }
 
 template <typename T>
-void BatchShading<T>::append_children(RayKind kind, std::size_t first, std::size_t end,
-                                      const Carried<T>* carried, PendingRays<T>& to) const {
+void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
+                                      PendingRays<T>& to) const {
     const bool reflected = kind == RayKind::kReflected;
     const ActiveEffects& effects = scene_->effects;
     if (reflected ? !effects.reflection : !effects.refraction || !any_glass_) return;
@@ -435,8 +435,9 @@ void BatchShading<T>::append_children(RayKind kind, std::size_t first, std::size
     Ray<T>* rays = to.rays(to.size());
     Exclude* excludes = to.excludes(to.size());
     Carried<T>* carries = to.carried(to.size());
+    std::uint8_t* headings = to.headings(to.size());
     std::size_t count = 0;
-    for (std::size_t lane = first; lane < end; ++lane) {
+    for (std::size_t lane = 0; lane < given_.size(); ++lane) {
         const std::int32_t entry = entry_[lane];
         if (entry < 0) continue;
         const auto i = static_cast<std::size_t>(entry);
@@ -450,7 +451,8 @@ void BatchShading<T>::append_children(RayKind kind, std::size_t first, std::size
         excludes[count] = {ir::ObjectId{slots.object[slot]}, slots.face[slot],
                            children.outward[i] == 0};
         carries[count] = {children.weight.at(i), reflected ? carried[lane].index : beyond[i],
-                          carried[lane].sample};
+                          carried[lane].sample, carried[lane].number};
+        headings[count] = static_cast<std::uint8_t>(children.heading[i]);
         ++count;
     }
     to.take_in(count);

@@ -70,10 +70,8 @@ class BatchShading {
     /// What scatter() sends on from each surface; `carried` by the ray's place in the batch. False
     /// if nothing is.
     bool scatter(const Carried<T>* carried);
-    /// Appends the children of the rays from `first` to before `end`, one turn before those that
-    /// may have any; there is room for all.
-    void append_children(RayKind kind, std::size_t first, std::size_t end,
-                         const Carried<T>* carried, PendingRays<T>& to) const;
+    /// Appends the children of the batch, unless it is of the last turn; there is room for all.
+    void append_children(RayKind kind, const Carried<T>* carried, PendingRays<T>& to) const;
 
   private:
     /// How a surface is computed; in this order in the columns.

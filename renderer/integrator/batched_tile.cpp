@@ -37,8 +37,9 @@ BatchedTile<T>::BatchedTile(const ShadingScene<T>& scene, const Settings& settin
 template <typename T>
 bool BatchedTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
     const auto draw = [this](std::size_t lane, std::uint32_t light) {
-        const PathAddress path = tree_.groups()[parts_[part_of_[lane]].group].path;
-        return flights_[carried_[lane].sample].sampler.draw(Draw::kLight, path, light);
+        const Carried<T>& of = carried_[lane];
+        return flights_[of.sample].sampler.draw(Draw::kLight, tree_.group_of(of.number).path,
+                                                light);
     };
     while (!work.done()) {
         if (stop.between_stages(work.counters.tests())) return false;
@@ -59,6 +60,7 @@ void BatchedTile<T>::begin_run() {
     run_rays_ = 0;
     begun_ = 0;
     depth_ = 0;
+    first_ray_ = first_group_ = 0;
     tree_.begin(PathAddress{}, flights_.size());
 }
 
@@ -85,12 +87,25 @@ void BatchedTile<T>::begin_camera_batch(TileWork& work) {
         flight = {};
         flight.sampler = camera_.sampler(i);
         carried_[i] = {};
-        carried_[i].sample = static_cast<std::uint32_t>(begun_ + i);
+        carried_[i].sample = carried_[i].number = static_cast<std::uint32_t>(begun_ + i);
     }
     begun_ += rays.size();
-    parts_[0] = {0, rays.size()};
-    part_count_ = 1;
-    std::fill_n(part_of_.begin(), rays.size(), std::uint8_t{0});
+}
+
+/// The order of the turn's rays of one kind: those that go the same way side by side.
+template <typename T>
+void BatchedTile<T>::sort() {
+    PendingRays<T>& rays = now_[turn_];
+    const std::uint8_t* const headings = rays.headings(0);
+    const std::size_t count = rays.size();
+    ends_.fill(0);
+    for (std::size_t i = 0; i < count; ++i) ++ends_[headings[i]];
+    std::uint32_t begin = 0;
+    for (std::uint32_t& end : ends_) begin += std::exchange(end, begin);
+    order_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        order_[ends_[headings[i]]++] = static_cast<std::uint32_t>(i);
+    }
 }
 
 /// The next rays of the turn, all of one kind.
@@ -101,26 +116,27 @@ void BatchedTile<T>::begin_turn_batch(TileWork& work) {
         ++turn_;
         at_ = 0;
     }
+    if (at_ == 0) sort();
     PendingRays<T>& from = now_[turn_];
     const std::size_t count = std::min(kBatchSize, from.size() - at_);
     (turn_ == 0 ? work.counters.reflected_rays : work.counters.refracted_rays) += count;
     rays.begin(count);
-    std::copy_n(from.rays(at_), count, rays.rays.begin());
-    std::copy_n(from.excludes(at_), count, rays.excludes.begin());
-    std::copy_n(from.carried(at_), count, carried_.begin());
-    at_ += count;
-    part_count_ = 0;
-    for (std::size_t lane = 0; lane < count;) {
-        const std::size_t end = std::min(count, lane + (tree_.groups()[group_].end - ray_));
-        const bool alike = end - lane >= kFewestCoherent;
-        rays.end_stretch_at(end, alike ? Coherence::kCoherent : Coherence::kNone);
-        std::fill(part_of_.begin() + lane, part_of_.begin() + end,
-                  static_cast<std::uint8_t>(part_count_));
-        parts_[part_count_++] = {group_, end};
-        ray_ += end - lane;
-        if (ray_ == tree_.groups()[group_].end) ++group_;
-        lane = end;
+    const std::uint32_t* const order = order_.data() + at_;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        rays.rays[lane] = *from.rays(order[lane]);
+        rays.excludes[lane] = *from.excludes(order[lane]);
+        carried_[lane] = *from.carried(order[lane]);
     }
+    std::size_t begin = 0;
+    for (const std::uint32_t end : ends_) {
+        if (end <= at_ + begin) continue;
+        const std::size_t to = std::min(count, end - at_);
+        const bool alike = to - begin >= kFewestCoherent;
+        rays.end_stretch_at(to, alike ? Coherence::kCoherent : Coherence::kNone);
+        begin = to;
+        if (begin == count) break;
+    }
+    at_ += count;
 }
 
 /// From the batch's colours to the tree, and from its rays to the next turn.
@@ -138,22 +154,8 @@ void BatchedTile<T>::scatter() {
     }
     if (depth_ >= scene_->bounces || !shading.scatter(carried_.data())) return;
     for (std::size_t turn = 0; turn < kTurns; ++turn) {
-        PendingRays<T>& to = next_[turn];
-        std::vector<Born>& born = born_[turn];
-        to.make_room(count);
-        std::size_t lane = 0;
-        for (std::size_t i = 0; i < part_count_; ++i) {
-            const std::size_t before = to.size();
-            shading.append_children(kTurn[turn], lane, parts_[i].end, carried_.data(), to);
-            lane = parts_[i].end;
-            if (to.size() == before) continue;
-            // A group's rays may be of several batches.
-            if (!born.empty() && born.back().parent == parts_[i].group) {
-                born.back().end = to.size();
-            } else {
-                born.push_back({parts_[i].group, to.size()});
-            }
-        }
+        next_[turn].make_room(count);
+        shading.append_children(kTurn[turn], carried_.data(), next_[turn]);
     }
 }
 
@@ -180,17 +182,14 @@ void BatchedTile<T>::end_batch(TileWork& work, Film& film) {
 /// False if there is none.
 template <typename T>
 bool BatchedTile<T>::next_turn() {
-    group_ = static_cast<std::uint32_t>(tree_.groups().size());
-    ray_ = tree_.ray_count();
+    const std::uint32_t first_parent = first_ray_;
+    const std::uint32_t first_group = first_group_;
+    first_ray_ = static_cast<std::uint32_t>(tree_.ray_count());
+    first_group_ = static_cast<std::uint32_t>(tree_.groups().size());
     for (std::size_t turn = 0; turn < kTurns; ++turn) {
-        std::size_t before = 0;
-        for (const Born& born : born_[turn]) {
-            tree_.add(born.parent, turn, born.end - before);
-            before = born.end;
-        }
-        born_[turn].clear();
         std::swap(now_[turn], next_[turn]);
         next_[turn].clear();
+        number(turn, first_parent, first_group);
     }
     ++depth_;
     turn_ = 0;
@@ -198,33 +197,65 @@ bool BatchedTile<T>::next_turn() {
     return !now_[0].empty() || !now_[1].empty();
 }
 
+/// Numbers the rays of one kind in the order of their parents, and makes groups of them.
+template <typename T>
+void BatchedTile<T>::number(std::size_t turn, std::uint32_t first_parent,
+                            std::uint32_t first_group) {
+    PendingRays<T>& rays = now_[turn];
+    numbers_.assign(first_ray_ - first_parent, 0);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        numbers_[rays.carried(i)->number - first_parent] = 1;
+    }
+    auto next = static_cast<std::uint32_t>(tree_.ray_count());
+    for (std::uint32_t g = first_group; g < first_group_; ++g) {
+        const RayGroup group = tree_.groups()[g];
+        const std::uint32_t begin = next;
+        for (std::size_t i = group.begin; i < group.end; ++i) {
+            std::uint32_t& of = numbers_[i - first_parent];
+            next += std::exchange(of, next);
+        }
+        if (next > begin) tree_.add(g, turn, next - begin);
+    }
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        std::uint32_t& of = rays.carried(i)->number;
+        of = numbers_[of - first_parent];
+    }
+}
+
 /// Adds what comes before the groups of the turn that has not been, and puts those and what comes
 /// behind them aside.
 template <typename T>
 void BatchedTile<T>::put_aside() {
     std::vector<Aside> in_order;
+    std::vector<std::size_t> places(tree_.groups().size() - first_group_);
     bool open = false;  ///< what is added comes behind the last one put aside
     tree_.visit_all([&](std::uint32_t index) {
         const RayGroup& group = tree_.groups()[index];
-        if (index >= group_) {
-            if (!open) in_order.emplace_back();
-            open = false;
-            Aside& aside = in_order.back();
-            const bool reflected = group.end - ray_ <= now_[0].size();
-            aside.turn = reflected ? 0 : 1;
-            const std::size_t first = group.begin - ray_ - (reflected ? 0 : now_[0].size());
-            aside.rays.append(now_[aside.turn], first, group.end - group.begin);
+        const bool leaf = index >= first_group_;
+        if (!leaf && in_order.empty()) return add_all(group);
+        if (!open) in_order.emplace_back();
+        open = !leaf;
+        Aside& aside = in_order.back();
+        if (leaf) {
+            places[index - first_group_] = in_order.size() - 1;
             aside.path = group.path;
-            aside.depth = depth_;
-        } else if (in_order.empty()) {
-            add_all(group);
         } else {
-            if (!open) in_order.emplace_back();
-            open = true;
             tree_.each_brought(
-                group, [&](const auto& brought) { in_order.back().brought.push_back(brought); });
+                group, [&](const Brought<T>& brought) { aside.brought.push_back(brought); });
         }
     });
+    for (std::size_t turn = 0; turn < kTurns; ++turn) {
+        for (std::size_t i = 0; i < now_[turn].size(); ++i) {
+            const std::uint32_t number = now_[turn].carried(i)->number;
+            const RayGroup& group = tree_.group_of(number);
+            const auto index = static_cast<std::size_t>(&group - tree_.groups().data());
+            Aside& aside = in_order[places[index - first_group_]];
+            aside.turn = turn;
+            aside.depth = depth_;
+            aside.rays.append(now_[turn], i, 1);
+            aside.rays.carried(aside.rays.size() - 1)->number = number - group.begin;
+        }
+    }
     std::move(in_order.rbegin(), in_order.rend(), std::back_inserter(aside_));
 }
 
@@ -240,8 +271,8 @@ bool BatchedTile<T>::take_up() {
         for (PendingRays<T>& rays : now_) rays.clear();
         now_[aside.turn] = std::move(aside.rays);
         depth_ = aside.depth;
-        turn_ = at_ = ray_ = 0;
-        group_ = 0;
+        turn_ = at_ = 0;
+        first_ray_ = first_group_ = 0;
         return true;
     }
     return false;

@@ -44,11 +44,6 @@ class BatchedTile final : public PausedWork {
         Sampler sampler{0, 0, 0, 0};
         ir::ObjectId first_object;
     };
-    /// A group that is to be: its parent, and where it ends among its turn's rays of its kind.
-    struct Born {
-        std::uint32_t parent;
-        std::size_t end;
-    };
     /// Put aside: what is added first, then what is followed.
     struct Aside {
         std::vector<Brought<T>> brought;
@@ -65,6 +60,8 @@ class BatchedTile final : public PausedWork {
     void scatter();
     void end_batch(TileWork& work, Film& film);
     bool next_turn();
+    void number(std::size_t turn, std::uint32_t first_parent, std::uint32_t first_group);
+    void sort();
     void put_aside();
     bool take_up();
     void add(const Brought<T>& brought) {
@@ -93,24 +90,17 @@ class BatchedTile final : public PausedWork {
     // A turn; the camera's rays are number 0.
     std::uint32_t depth_ = 0;
     std::array<PendingRays<T>, kTurns> now_, next_;
-    std::array<std::vector<Born>, kTurns> born_;  ///< groups of the next
+    std::uint32_t first_ray_ = 0, first_group_ = 0;  ///< of the tree's
+    std::vector<std::uint32_t> numbers_;             ///< of children, by their parents
     // Where the next batch begins, of turns that are not the camera's.
-    std::size_t turn_ = 0;     ///< kind of its rays
-    std::size_t at_ = 0;       ///< among those of its kind
-    std::size_t ray_ = 0;      ///< among those of the tree
-    std::uint32_t group_ = 0;  ///< of the tree
+    std::size_t turn_ = 0;  ///< kind of its rays
+    std::size_t at_ = 0;    ///< among those of its kind, in this order:
+    std::vector<std::uint32_t> order_;
+    std::array<std::uint32_t, kHeadings> ends_;  ///< of those of each heading, in it
 
     bool on_its_way_ = false;  ///< a batch is
     BatchStages<T> batch_;
     std::array<Carried<T>, kBatchSize> carried_;
-    /// The groups of its rays.
-    struct Part {
-        std::uint32_t group = 0;
-        std::size_t end = 0;
-    };
-    std::array<Part, kBatchSize> parts_;
-    std::size_t part_count_ = 0;
-    std::array<std::uint8_t, kBatchSize> part_of_{};
 
     SampleCursor next_to_land_;
     PixelAccumulator sums_;  ///< of the pixel that lands next

@@ -304,6 +304,7 @@ void set_child(ChildColumns<T>& children, std::size_t i, math::Vec3<T> position,
     children.outward[i] = outward ? 1 : 0;
     const bool nothing = weight.x == T(0) && weight.y == T(0) && weight.z == T(0);
     children.matters[i] = there && !nothing ? 1 : 0;
+    children.heading[i] = heading(direction);
 }
 
 template <bool kGlass, typename T>

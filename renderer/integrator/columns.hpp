@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -92,12 +93,25 @@ struct HitColumns {
     Columns3<T> light;  ///< that arrived so far
 };
 
+/// Which way a direction goes: a bit for each axis along which it runs backward, and from the
+/// fourth bit on the axis along which it goes farthest.
+template <typename T>
+std::int32_t heading(math::Vec3<T> direction) {
+    const T x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
+    const std::int32_t other = y > z ? 8 : 16;
+    const std::int32_t axis = (x > y ? 1 : 0) & (x > z ? 1 : 0) ? 0 : other;
+    return axis | (direction.x < T(0) ? 1 : 0) | (direction.y < T(0) ? 2 : 0) |
+           (direction.z < T(0) ? 4 : 0);
+}
+inline constexpr std::size_t kHeadings = 24;
+
 /// Rays that go on from the hits, of one kind.
 template <typename T>
 struct ChildColumns {
     Columns3<T> from, direction, weight;
     alignas(kColumnAlignment) std::int32_t outward[kBatchSize];
     alignas(kColumnAlignment) std::int32_t matters[kBatchSize];  ///< the weight is not zero
+    alignas(kColumnAlignment) std::int32_t heading[kBatchSize];
 };
 
 template <typename T>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays that wait to be traced, all of one kind and depth, and those of one path side by side.
+// Rays that wait to be traced, all of one kind and depth.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +17,7 @@ struct Carried {
     math::Vec3<T> weight{1, 1, 1};  ///< of what it brings back, in its pixel
     T index = 1;                    ///< refraction index of where it travels
     std::uint32_t sample = 0;       ///< that it belongs to, among those on their way
+    std::uint32_t number = 0;       ///< in the tree; its parent's before it has one
 };
 
 /// Written one after the other, read in pieces. Keeps its memory.
@@ -34,12 +35,14 @@ class PendingRays {
         rays_.resize(size);
         excludes_.resize(size);
         carried_.resize(size);
+        headings_.resize(size);
     }
     void take_in(std::size_t more) { count_ += more; }
 
     [[nodiscard]] Ray<T>* rays(std::size_t at) { return rays_.data() + at; }
     [[nodiscard]] Exclude* excludes(std::size_t at) { return excludes_.data() + at; }
     [[nodiscard]] Carried<T>* carried(std::size_t at) { return carried_.data() + at; }
+    [[nodiscard]] std::uint8_t* headings(std::size_t at) { return headings_.data() + at; }
 
     /// `count` of another's rays from `first` on.
     void append(PendingRays& from, std::size_t first, std::size_t count) {
@@ -47,6 +50,7 @@ class PendingRays {
         std::copy_n(from.rays(first), count, rays(count_));
         std::copy_n(from.excludes(first), count, excludes(count_));
         std::copy_n(from.carried(first), count, carried(count_));
+        std::copy_n(from.headings(first), count, headings(count_));
         count_ += count;
     }
 
@@ -54,6 +58,7 @@ class PendingRays {
     std::vector<Ray<T>> rays_;
     std::vector<Exclude> excludes_;
     std::vector<Carried<T>> carried_;
+    std::vector<std::uint8_t> headings_;
     std::size_t count_ = 0;
 };
 

@@ -7,6 +7,7 @@
 // that going through it once, depth first, adds to all samples in their order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -62,13 +63,18 @@ class RayTree {
     [[nodiscard]] const std::vector<RayGroup>& groups() const { return groups_; }
     [[nodiscard]] std::size_t ray_count() const { return ray_count_; }
 
-    /// What the next rays bring back, in their order: the colours of their batch.
+    /// What rays bring back: the colours of their batch.
     void bring(const Columns3<T>& colors, const Carried<T>* carried, std::size_t count) {
-        const std::size_t first = brought_.size();
-        brought_.resize(first + count);
+        brought_.resize(ray_count_);
         for (std::size_t i = 0; i < count; ++i) {
-            brought_[first + i] = {carried[i].weight * colors.at(i), carried[i].sample};
+            brought_[carried[i].number] = {carried[i].weight * colors.at(i), carried[i].sample};
         }
+    }
+    /// That of a ray.
+    [[nodiscard]] const RayGroup& group_of(std::uint32_t number) const {
+        return *std::upper_bound(
+            groups_.begin(), groups_.end(), number,
+            [](std::uint32_t of, const RayGroup& group) { return of < group.end; });
     }
 
     /// `visit(index of a group)`, depth first.
