@@ -87,6 +87,7 @@ struct Packet {
     bool some_excluded;
     alignas(64) std::uint32_t excluded_object[kPacketRays];
     alignas(64) std::uint32_t excluded_face[kPacketRays];
+    alignas(64) std::uint32_t goes_inside[kPacketRays];  ///< 1: it does
     /// Whether bounding triangles by beams has paid lately.
     bool bounds_pay;
     std::size_t count;
@@ -158,7 +159,10 @@ HWY_INLINE bool transpose_excludes(const Exclude* excludes, Packet& p) {
     const hn::RebindToUnsigned<Packet::D> d;
     constexpr std::size_t kNumbers = 3;
     static_assert(sizeof(Exclude) == kNumbers * sizeof(std::uint32_t) &&
-                  offsetof(Exclude, face) == sizeof(std::uint32_t));
+                  offsetof(Exclude, face) == sizeof(std::uint32_t) &&
+                  offsetof(Exclude, goes_inside) == 2 * sizeof(std::uint32_t));
+    // What is behind a flag in its number may be anything.
+    const auto flag = hn::Set(d, 1U);
     const auto none = hn::Set(d, ir::ObjectId::kNone);
     auto nothing = hn::Eq(none, none);
     for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
@@ -170,6 +174,7 @@ HWY_INLINE bool transpose_excludes(const Exclude* excludes, Packet& p) {
         nothing = hn::And(nothing, hn::Eq(object, none));
         hn::Store(object, d, p.excluded_object + at);
         hn::Store(face, d, p.excluded_face + at);
+        hn::Store(hn::And(flags, flag), d, p.goes_inside + at);
     }
     return !hn::AllTrue(d, nothing);
 }

@@ -72,9 +72,20 @@ HWY_INLINE GroupSpans group_spans(const BoxBounds<float>& box, const Packet& p, 
     return spans;
 }
 
-/// The rays of a group whose lines may meet a sphere: all others surely miss it, by the sign of
-/// b^2 - a (f^2 - r^2), which float has within 24 u a (f^2 + r^2): see guess_spheres() for the
-/// names.
+/// The rays of a group that have just left a sphere.
+HWY_INLINE hn::Mask<Packet::D> left_sphere(ir::ObjectId object, const Packet& p, std::size_t at) {
+    const hn::RebindToUnsigned<Packet::D> d;
+    return hn::RebindMask(Packet::D(),
+                          hn::Eq(hn::Load(d, p.excluded_object + at), hn::Set(d, object.value)));
+}
+
+/// The rays of a group that may meet a sphere, ahead and before what they have met: all others
+/// surely do not.
+///
+/// With the names of guess_spheres(), v(t) = a t^2 + 2 b t + c is below 0 inside, and float has it
+/// within 24 u (a t^2 + f^2 + r^2). The line misses where b^2 - a c is below 0. Where v(0) is above
+/// 0 by more than that, and grows, the sphere is behind; where v is at the best t and still falls
+/// there, it is beyond, for what it is above by is more than any rounding of its t.
 HWY_INLINE std::uint32_t may_meet(const SphereBlock<float>& block, std::size_t lane,
                                   const Packet& p, std::size_t group) {
     const Packet::D d;
@@ -90,18 +101,40 @@ HWY_INLINE std::uint32_t may_meet(const SphereBlock<float>& block, std::size_t l
     const auto dx = along(0);
     const auto dy = along(1);
     const auto dz = along(2);
+    const auto zero = hn::Zero(d);
     const auto a = dot_lanes(d, dx, dy, dz, dx, dy, dz);
     const auto b = dot_lanes(d, fx, fy, fz, dx, dy, dz);
     const auto square = hn::Set(d, block.radius[lane] * block.radius[lane]);
     const auto far = dot_lanes(d, fx, fy, fz, fx, fy, fz);
-    // What underflows is below the second summand, if the direction's length is not extreme.
-    const auto slack = hn::Add(hn::Mul(hn::Set(d, 64 * kRounding<float>), hn::Add(far, square)),
-                               hn::Set(d, 0x1p-80F));
-    const auto least = hn::Mul(a, hn::Sub(hn::Sub(far, square), slack));
-    const auto bounded = hn::And(hn::Ge(a, hn::Set(d, 0x1p-40F)), hn::Le(a, hn::Set(d, 0x1p40F)));
-    const auto missed = hn::And(hn::And(bounded, hn::Gt(least, hn::Mul(b, b))),
-                                hn::Le(least, hn::Set(d, std::numeric_limits<float>::max())));
-    return bits_of(d, hn::Not(missed));
+    const auto slack = hn::Set(d, 64 * kRounding<float>);
+    // What underflows is below it, if the direction's length is not extreme.
+    const auto tiny = hn::Set(d, 0x1p-80F);
+    const auto most = hn::Set(d, std::numeric_limits<float>::max());
+    const auto sum = hn::Add(far, square);
+    const auto c = hn::Sub(far, square);
+    const auto least = hn::Mul(a, hn::Sub(c, hn::Add(hn::Mul(slack, sum), tiny)));
+    const auto missed = hn::Gt(least, hn::Mul(b, b));
+    const auto behind = hn::And(hn::Gt(least, zero), hn::Gt(b, zero));
+    const auto bound = hn::Load(d, p.bound + at);
+    const auto to_bound = hn::Mul(a, bound);
+    const auto twice = hn::Add(b, b);
+    const auto there = hn::Add(hn::Mul(hn::Add(to_bound, twice), bound), c);
+    const auto sum_there = hn::Add(hn::Mul(hn::Add(to_bound, hn::Abs(twice)), bound), sum);
+    const auto falls = hn::Lt(hn::Add(to_bound, b), zero);
+    const auto beyond = hn::And(
+        hn::And(falls, hn::Gt(bound, zero)),
+        hn::And(hn::Gt(there, hn::Add(hn::Mul(slack, sum_there), tiny)), hn::Le(sum_there, most)));
+    const auto bounded =
+        hn::And(hn::And(hn::Ge(a, hn::Set(d, 0x1p-40F)), hn::Le(a, hn::Set(d, 0x1p40F))),
+                hn::Le(least, most));
+    auto out = hn::And(bounded, hn::Or(hn::Or(missed, behind), beyond));
+    if (p.some_excluded) {
+        const hn::RebindToUnsigned<Packet::D> du;
+        const auto outward =
+            hn::RebindMask(d, hn::Eq(hn::Load(du, p.goes_inside + at), hn::Zero(du)));
+        out = hn::Or(out, hn::And(outward, left_sphere(block.object[lane], p, at)));
+    }
+    return bits_of(d, hn::Not(out));
 }
 
 /// Each lane's quadratic as intersect_sphere() has it, bit for bit: a t^2 - 2 b t + c, and what is
@@ -187,30 +220,65 @@ HWY_INLINE std::uint32_t meet_sphere(const SphereBlock<float>& block, std::size_
     return bits & bits_of(of_rays, hn::Le(spans.near, spans.far));
 }
 
+/// Search::offer() of a sphere to a group: `t` for each of the `rays`.
+template <bool kAny>
+HWY_INLINE void offer_sphere(const WideTree<float>& tree, Packet& p, std::size_t group,
+                             hn::Vec<Packet::D> t, std::uint32_t rays, ir::ObjectId object) {
+    const Packet::D d;
+    const hn::RebindToUnsigned<Packet::D> du;
+    const std::size_t at = group * Packet::kLanes;
+    const auto bound = hn::Load(d, p.bound + at);
+    const auto ahead = hn::Gt(t, hn::Load(d, p.t_min + at));
+    std::uint32_t closer = rays & bits_of(d, hn::And(ahead, hn::Lt(t, bound)));
+    std::uint32_t others = rays & bits_of(d, hn::And(ahead, hn::Eq(t, bound)));
+    if constexpr (!kAny) {
+        const std::uint32_t waiting =
+            bits_of(du, hn::Ne(hn::Load(du, p.ahead + at), hn::Set(du, Packet::kNoTriangle)));
+        others |= closer & waiting;
+        closer &= ~waiting;
+    }
+    alignas(64) float of_ray[Packet::kLanes];
+    hn::Store(t, d, of_ray);
+    if (closer != 0) {
+        const auto mask = mask_of(d, closer);
+        const auto now = kAny ? hn::Set(d, std::numeric_limits<float>::lowest()) : t;
+        hn::BlendedStore(now, mask, d, p.bound + at);
+        hn::BlendedStore(now, mask, d, p.least + at);
+        for (; closer != 0; closer &= closer - 1) {
+            const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(closer);
+            if constexpr (kAny) {
+                p.best[at + i].object = object;
+            } else {
+                p.best[at + i] = {of_ray[i], object, 0, 0, 0};
+            }
+        }
+    }
+    for (; others != 0; others &= others - 1) {
+        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(others);
+        offer<kAny>(tree, p, at + i, of_ray[i], object, 0);
+    }
+}
+
 /// A block of spheres against the `rays` of a group.
 template <bool kAny>
 HWY_INLINE void test_sphere_group(const Geometry<float>& g, ChildRef at, std::uint32_t rays,
                                   Packet& p, std::size_t group) {
     const SphereBlock<float>& block = g.wide.spheres[at.index()];
+    const Packet::D d;
+    const std::size_t first = group * Packet::kLanes;
     for (std::size_t lane = 0; lane < kSphereLanes && block.object[lane].valid(); ++lane) {
         p.primitive_tests += Packet::kLanes;
         const std::uint32_t open = rays & may_meet(block, lane, p, group);
         if (open == 0) continue;
         SphereHits hits;
-        std::uint32_t bits = meet_sphere(block, lane, p, group, open, hits);
+        const std::uint32_t bits = meet_sphere(block, lane, p, group, open, hits);
+        if (bits == 0) continue;
         const ir::ObjectId object = block.object[lane];
-        while (bits != 0) {
-            const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-            bits &= bits - 1;
-            const std::size_t ray = group * Packet::kLanes + i;
-            // Through already, by a sphere before this one.
-            if (kAny && p.best[ray].object.valid()) continue;
-            const Exclude& exclude = p.excludes[ray];
-            const bool left = object == exclude.object;
-            if (left && !exclude.goes_inside) continue;
-            const bool enters = hits.near[i] > p.t_min[ray] && !left;
-            offer<kAny>(g.wide, p, ray, enters ? hits.near[i] : hits.far[i], object, 0);
-        }
+        const auto near = hn::Load(d, hits.near);
+        auto enters = hn::Gt(near, hn::Load(d, p.t_min + first));
+        if (p.some_excluded) enters = hn::AndNot(left_sphere(object, p, first), enters);
+        const auto t = hn::IfThenElse(enters, near, hn::Load(d, hits.far));
+        offer_sphere<kAny>(g.wide, p, group, t, bits, object);
     }
 }
 
