@@ -435,25 +435,24 @@ void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
     Ray<T>* rays = to.rays(to.size());
     Exclude* excludes = to.excludes(to.size());
     Carried<T>* carries = to.carried(to.size());
-    std::uint8_t* headings = to.headings(to.size());
+    Likeness* likenesses = to.likenesses(to.size());
+    const std::uint8_t* const scatters = scatters_.data();
     std::size_t count = 0;
-    for (std::size_t lane = 0; lane < given_.size(); ++lane) {
-        const std::int32_t entry = entry_[lane];
-        if (entry < 0) continue;
-        const auto i = static_cast<std::size_t>(entry);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const std::size_t lane = lane_[i];
         const auto slot = static_cast<std::size_t>(slot_of_entry[i]);
-        if (scatters_[slot] == 0 || children.matters[i] == 0) continue;
+        const std::uint32_t object = slots.object[slot];
         // Its t_min and t_max are those of any ray, for good.
         Ray<T>& ray = rays[count];
         ray.origin = children.from.at(i);
         ray.direction = children.direction.at(i);
         ray.time = parents[lane].time;
-        excludes[count] = {ir::ObjectId{slots.object[slot]}, slots.face[slot],
-                           children.outward[i] == 0};
+        excludes[count] = {ir::ObjectId{object}, slots.face[slot], children.outward[i] == 0};
         carries[count] = {children.weight.at(i), reflected ? carried[lane].index : beyond[i],
                           carried[lane].sample, carried[lane].number};
-        headings[count] = static_cast<std::uint8_t>(children.heading[i]);
-        ++count;
+        likenesses[count] = likeness(children.heading[i], object);
+        // What does not matter is written over by the next one: nobody knows which it will be.
+        count += scatters[slot] & static_cast<std::uint32_t>(children.matters[i]);
     }
     to.take_in(count);
 }

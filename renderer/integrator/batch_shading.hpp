@@ -70,7 +70,8 @@ class BatchShading {
     /// What scatter() sends on from each surface; `carried` by the ray's place in the batch. False
     /// if nothing is.
     bool scatter(const Carried<T>* carried);
-    /// Appends the children of the batch, unless it is of the last turn; there is room for all.
+    /// Appends those of the batch's children that matter, unless it is of the last turn; there is
+    /// room for all and one more.
     void append_children(RayKind kind, const Carried<T>* carried, PendingRays<T>& to) const;
 
   private:

@@ -13,7 +13,7 @@ constexpr std::size_t kMostSamples = 1024;
 constexpr std::size_t kFewestSamples = 64;
 /// Rays that a tree is meant to have, and that it may have before it is put aside.
 constexpr std::uint64_t kUsualRays = 1U << 15U;
-constexpr std::size_t kMostRays = 1U << 16U;
+constexpr std::size_t kMostRays = 1U << 17U;
 
 /// Fewer rays that went the same way are no packet.
 constexpr std::size_t kFewestCoherent = 16;
@@ -96,15 +96,15 @@ void BatchedTile<T>::begin_camera_batch(TileWork& work) {
 template <typename T>
 void BatchedTile<T>::sort() {
     PendingRays<T>& rays = now_[turn_];
-    const std::uint8_t* const headings = rays.headings(0);
+    const Likeness* const likenesses = rays.likenesses(0);
     const std::size_t count = rays.size();
     ends_.fill(0);
-    for (std::size_t i = 0; i < count; ++i) ++ends_[headings[i]];
+    for (std::size_t i = 0; i < count; ++i) ++ends_[likenesses[i]];
     std::uint32_t begin = 0;
     for (std::uint32_t& end : ends_) begin += std::exchange(end, begin);
     order_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-        order_[ends_[headings[i]]++] = static_cast<std::uint32_t>(i);
+        order_[ends_[likenesses[i]]++] = static_cast<std::uint32_t>(i);
     }
 }
 
@@ -128,7 +128,8 @@ void BatchedTile<T>::begin_turn_batch(TileWork& work) {
         carried_[lane] = *from.carried(order[lane]);
     }
     std::size_t begin = 0;
-    for (const std::uint32_t end : ends_) {
+    for (std::size_t h = 0; h < kHeadings; ++h) {
+        const std::uint32_t end = ends_[(h + 1) * kLikePlaces - 1];
         if (end <= at_ + begin) continue;
         const std::size_t to = std::min(count, end - at_);
         const bool alike = to - begin >= kFewestCoherent;
@@ -154,7 +155,7 @@ void BatchedTile<T>::scatter() {
     }
     if (depth_ >= scene_->bounces || !shading.scatter(carried_.data())) return;
     for (std::size_t turn = 0; turn < kTurns; ++turn) {
-        next_[turn].make_room(count);
+        next_[turn].make_room(count + 1);
         shading.append_children(kTurn[turn], carried_.data(), next_[turn]);
     }
 }
@@ -269,7 +270,7 @@ bool BatchedTile<T>::take_up() {
         if (aside.rays.empty()) continue;
         tree_.begin(aside.path, aside.rays.size());
         for (PendingRays<T>& rays : now_) rays.clear();
-        now_[aside.turn] = std::move(aside.rays);
+        now_[aside.turn].append(aside.rays, 0, aside.rays.size());
         depth_ = aside.depth;
         turn_ = at_ = 0;
         first_ray_ = first_group_ = 0;

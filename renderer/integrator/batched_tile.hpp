@@ -26,8 +26,8 @@
 namespace cobble::renderer {
 
 /// Memory: some 150 bytes for each sample of a run, and in single precision 16 for each ray of its
-/// trees and 68 for each ray of two turns. There are at most 65,000 rays of one, or twice that in a
-/// turn; each six turns more, at the worst, may put as many aside.
+/// trees and 68 for each ray of two turns. There are at most 131,000 rays of one, or twice that in
+/// a turn; each six turns more, at the worst, may put as many aside.
 template <typename T>
 class BatchedTile final : public PausedWork {
   public:
@@ -96,7 +96,7 @@ class BatchedTile final : public PausedWork {
     std::size_t turn_ = 0;  ///< kind of its rays
     std::size_t at_ = 0;    ///< among those of its kind, in this order:
     std::vector<std::uint32_t> order_;
-    std::array<std::uint32_t, kHeadings> ends_;  ///< of those of each heading, in it
+    std::array<std::uint32_t, kLikenesses> ends_;  ///< of those of each likeness, in it
 
     bool on_its_way_ = false;  ///< a batch is
     BatchStages<T> batch_;

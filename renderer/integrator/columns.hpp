@@ -93,13 +93,13 @@ struct HitColumns {
     Columns3<T> light;  ///< that arrived so far
 };
 
-/// Which way a direction goes: a bit for each axis along which it runs backward, and from the
-/// fourth bit on the axis along which it goes farthest.
+/// Which way a direction goes, below kHeadings: a bit for each axis along which it runs backward,
+/// and from the fourth on the axis along which it goes farthest.
 template <typename T>
 std::int32_t heading(math::Vec3<T> direction) {
     const T x = std::fabs(direction.x), y = std::fabs(direction.y), z = std::fabs(direction.z);
     const std::int32_t other = y > z ? 8 : 16;
-    const std::int32_t axis = (x > y ? 1 : 0) & (x > z ? 1 : 0) ? 0 : other;
+    const std::int32_t axis = x > (y > z ? y : z) ? 0 : other;
     return axis | (direction.x < T(0) ? 1 : 0) | (direction.y < T(0) ? 2 : 0) |
            (direction.z < T(0) ? 4 : 0);
 }
@@ -111,7 +111,7 @@ struct ChildColumns {
     Columns3<T> from, direction, weight;
     alignas(kColumnAlignment) std::int32_t outward[kBatchSize];
     alignas(kColumnAlignment) std::int32_t matters[kBatchSize];  ///< the weight is not zero
-    alignas(kColumnAlignment) std::int32_t heading[kBatchSize];
+    alignas(kColumnAlignment) std::int32_t heading[kBatchSize];  ///< heading()
 };
 
 template <typename T>

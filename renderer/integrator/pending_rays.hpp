@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/geometry/ray.hpp"
+#include "renderer/integrator/columns.hpp"
 
 namespace cobble::renderer {
 
@@ -19,6 +20,16 @@ struct Carried {
     std::uint32_t sample = 0;       ///< that it belongs to, among those on their way
     std::uint32_t number = 0;       ///< in the tree; its parent's before it has one
 };
+
+/// What rays have in common that go the same way from the same object, or one of few: they are
+/// likely to meet the same things. First by where they go.
+using Likeness = std::uint16_t;
+inline constexpr std::size_t kLikePlaces = 64;
+inline constexpr std::size_t kLikenesses = kHeadings * kLikePlaces;
+inline Likeness likeness(std::int32_t heading, std::uint32_t object) {
+    return static_cast<Likeness>(static_cast<std::uint32_t>(heading) * kLikePlaces +
+                                 object % kLikePlaces);
+}
 
 /// Written one after the other, read in pieces. Keeps its memory.
 template <typename T>
@@ -35,14 +46,14 @@ class PendingRays {
         rays_.resize(size);
         excludes_.resize(size);
         carried_.resize(size);
-        headings_.resize(size);
+        likenesses_.resize(size);
     }
     void take_in(std::size_t more) { count_ += more; }
 
     [[nodiscard]] Ray<T>* rays(std::size_t at) { return rays_.data() + at; }
     [[nodiscard]] Exclude* excludes(std::size_t at) { return excludes_.data() + at; }
     [[nodiscard]] Carried<T>* carried(std::size_t at) { return carried_.data() + at; }
-    [[nodiscard]] std::uint8_t* headings(std::size_t at) { return headings_.data() + at; }
+    [[nodiscard]] Likeness* likenesses(std::size_t at) { return likenesses_.data() + at; }
 
     /// `count` of another's rays from `first` on.
     void append(PendingRays& from, std::size_t first, std::size_t count) {
@@ -50,7 +61,7 @@ class PendingRays {
         std::copy_n(from.rays(first), count, rays(count_));
         std::copy_n(from.excludes(first), count, excludes(count_));
         std::copy_n(from.carried(first), count, carried(count_));
-        std::copy_n(from.headings(first), count, headings(count_));
+        std::copy_n(from.likenesses(first), count, likenesses(count_));
         count_ += count;
     }
 
@@ -58,7 +69,7 @@ class PendingRays {
     std::vector<Ray<T>> rays_;
     std::vector<Exclude> excludes_;
     std::vector<Carried<T>> carried_;
-    std::vector<std::uint8_t> headings_;
+    std::vector<Likeness> likenesses_;
     std::size_t count_ = 0;
 };
 

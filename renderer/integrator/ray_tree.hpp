@@ -47,7 +47,6 @@ class RayTree {
     /// With `count` rays of one path.
     void begin(PathAddress path, std::size_t count) {
         groups_.assign(1, {path, 0, static_cast<std::uint32_t>(count), {}});
-        brought_.clear();
         ray_count_ = count;
     }
     /// A new group of the next `count` rays.
@@ -65,7 +64,7 @@ class RayTree {
 
     /// What rays bring back: the colours of their batch.
     void bring(const Columns3<T>& colors, const Carried<T>* carried, std::size_t count) {
-        brought_.resize(ray_count_);
+        if (brought_.size() < ray_count_) brought_.resize(2 * ray_count_);
         for (std::size_t i = 0; i < count; ++i) {
             brought_[carried[i].number] = {carried[i].weight * colors.at(i), carried[i].sample};
         }
@@ -99,7 +98,7 @@ class RayTree {
 
   private:
     std::vector<RayGroup> groups_;
-    std::vector<Brought<T>> brought_;
+    std::vector<Brought<T>> brought_;  ///< by number; of more rays than there are
     std::size_t ray_count_ = 0;
     std::vector<std::uint32_t> next_;
 };
