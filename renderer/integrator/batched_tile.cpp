@@ -13,7 +13,7 @@ constexpr std::size_t kMostSamples = 1024;
 constexpr std::size_t kFewestSamples = 64;
 /// Rays that a tree is meant to have, and that it may have before it is put aside.
 constexpr std::uint64_t kUsualRays = 1U << 15U;
-constexpr std::size_t kMostRays = 1U << 17U;
+constexpr std::size_t kMostRays = 1U << 16U;
 
 /// Fewer rays that went the same way are no packet.
 constexpr std::size_t kFewestCoherent = 16;

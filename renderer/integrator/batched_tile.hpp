@@ -26,7 +26,7 @@
 namespace cobble::renderer {
 
 /// Memory: some 150 bytes for each sample of a run, and in single precision 16 for each ray of its
-/// trees and 68 for each ray of two turns. There are at most 131,000 rays of one, or twice that in
+/// trees and 68 for each ray of two turns. There are at most 65,000 rays of one, or twice that in
 /// a turn; each six turns more, at the worst, may put as many aside.
 template <typename T>
 class BatchedTile final : public PausedWork {
