@@ -174,6 +174,19 @@ TEST_CASE("batches and single rays draw one picture, however deep the trees of r
     CHECK(refracted > 1000);
 }
 
+TEST_CASE("batches and single rays draw one picture, of trees too big to be kept whole") {
+    // Panes of glass between a ball and the camera: each sample has thousands of rays.
+    SceneBuilder b;
+    b.background({0.3, 0.5, 0.9});
+    b.material({0.1, 0.2, 0.1}, {0.9, 0.8, 0.9}, 0, 1.5);
+    for (int i = 0; i < 3; ++i) b.box({-50, -50, -2.0 * i - 1}, {50, 50, -2.0 * i});
+    b.sphere({0.5, 0, -8}, 2);
+    renderer::Settings s = settings(3, 2, 1);
+    s.bounces = 19;
+    const Rendered r = check_both(b.scene(), s, 2);
+    CHECK(r.stats.counters.rays() > 500000);
+}
+
 TEST_CASE("batches and single rays draw one picture, whatever is switched off") {
     SceneBuilder b = everything();
     renderer::Settings s = full(24, 18, 2);
