@@ -87,7 +87,8 @@ struct Packet {
     bool some_excluded;
     alignas(64) std::uint32_t excluded_object[kPacketRays];
     alignas(64) std::uint32_t excluded_face[kPacketRays];
-    alignas(64) std::uint32_t goes_inside[kPacketRays];  ///< 1: it does
+    /// The same object, or none for a ray that goes inside it.
+    alignas(64) std::uint32_t excluded_closed[kPacketRays];
     /// Whether bounding triangles by beams has paid lately.
     bool bounds_pay;
     std::size_t count;
@@ -174,7 +175,8 @@ HWY_INLINE bool transpose_excludes(const Exclude* excludes, Packet& p) {
         nothing = hn::And(nothing, hn::Eq(object, none));
         hn::Store(object, d, p.excluded_object + at);
         hn::Store(face, d, p.excluded_face + at);
-        hn::Store(hn::And(flags, flag), d, p.goes_inside + at);
+        const auto outward = hn::Eq(hn::And(flags, flag), hn::Zero(d));
+        hn::Store(hn::IfThenElse(outward, object, none), d, p.excluded_closed + at);
     }
     return !hn::AllTrue(d, nothing);
 }

@@ -72,70 +72,76 @@ HWY_INLINE GroupSpans group_spans(const BoxBounds<float>& box, const Packet& p, 
     return spans;
 }
 
-/// The rays of a group that have just left a sphere.
-HWY_INLINE hn::Mask<Packet::D> left_sphere(ir::ObjectId object, const Packet& p, std::size_t at) {
-    const hn::RebindToUnsigned<Packet::D> d;
-    return hn::RebindMask(Packet::D(),
-                          hn::Eq(hn::Load(d, p.excluded_object + at), hn::Set(d, object.value)));
-}
-
-/// The rays of a group that may meet a sphere, ahead and before what they have met: all others
+/// Which of a group's rays may meet a sphere, ahead and before what they have met: all others
 /// surely do not.
 ///
 /// With the names of guess_spheres(), v(t) = a t^2 + 2 b t + c is below 0 inside, and float has it
 /// within 24 u (a t^2 + f^2 + r^2). The line misses where b^2 - a c is below 0. Where v(0) is above
-/// 0 by more than that, and grows, the sphere is behind; where v is at the best t and still falls
-/// there, it is beyond, for what it is above by is more than any rounding of its t.
-HWY_INLINE std::uint32_t may_meet(const SphereBlock<float>& block, std::size_t lane,
-                                  const Packet& p, std::size_t group) {
-    const Packet::D d;
-    const std::size_t at = group * Packet::kLanes;
-    const auto along = [&](std::size_t axis)
-                           HWY_ATTR { return hn::Load(d, p.direction[axis] + at); };
-    const auto relative = [&](std::size_t axis) HWY_ATTR {
-        return hn::Sub(hn::Load(d, p.origin[axis] + at), hn::Set(d, block.center[axis][lane]));
-    };
-    const auto fx = relative(0);
-    const auto fy = relative(1);
-    const auto fz = relative(2);
-    const auto dx = along(0);
-    const auto dy = along(1);
-    const auto dz = along(2);
-    const auto zero = hn::Zero(d);
-    const auto a = dot_lanes(d, dx, dy, dz, dx, dy, dz);
-    const auto b = dot_lanes(d, fx, fy, fz, dx, dy, dz);
-    const auto square = hn::Set(d, block.radius[lane] * block.radius[lane]);
-    const auto far = dot_lanes(d, fx, fy, fz, fx, fy, fz);
-    const auto slack = hn::Set(d, 64 * kRounding<float>);
-    // What underflows is below it, if the direction's length is not extreme.
-    const auto tiny = hn::Set(d, 0x1p-80F);
-    const auto most = hn::Set(d, std::numeric_limits<float>::max());
-    const auto sum = hn::Add(far, square);
-    const auto c = hn::Sub(far, square);
-    const auto least = hn::Mul(a, hn::Sub(c, hn::Add(hn::Mul(slack, sum), tiny)));
-    const auto missed = hn::Gt(least, hn::Mul(b, b));
-    const auto behind = hn::And(hn::Gt(least, zero), hn::Gt(b, zero));
-    const auto bound = hn::Load(d, p.bound + at);
-    const auto to_bound = hn::Mul(a, bound);
-    const auto twice = hn::Add(b, b);
-    const auto there = hn::Add(hn::Mul(hn::Add(to_bound, twice), bound), c);
-    const auto sum_there = hn::Add(hn::Mul(hn::Add(to_bound, hn::Abs(twice)), bound), sum);
-    const auto falls = hn::Lt(hn::Add(to_bound, b), zero);
-    const auto beyond = hn::And(
-        hn::And(falls, hn::Gt(bound, zero)),
-        hn::And(hn::Gt(there, hn::Add(hn::Mul(slack, sum_there), tiny)), hn::Le(sum_there, most)));
-    const auto bounded =
-        hn::And(hn::And(hn::Ge(a, hn::Set(d, 0x1p-40F)), hn::Le(a, hn::Set(d, 0x1p40F))),
-                hn::Le(least, most));
-    auto out = hn::And(bounded, hn::Or(hn::Or(missed, behind), beyond));
-    if (p.some_excluded) {
-        const hn::RebindToUnsigned<Packet::D> du;
-        const auto outward =
-            hn::RebindMask(d, hn::Eq(hn::Load(du, p.goes_inside + at), hn::Zero(du)));
-        out = hn::Or(out, hn::And(outward, left_sphere(block.object[lane], p, at)));
+/// 0 by more than that, and grows, the sphere is behind. Where v is at the best t and still falls
+/// there, it is beyond, and by more than any rounding of its t.
+class MayMeet {
+  public:
+    MayMeet(const Packet& p, std::size_t group) : p_(p), at_(group * Packet::kLanes) {
+        const D d;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            origin_[axis] = hn::Load(d, p.origin[axis] + at_);
+            direction_[axis] = hn::Load(d, p.direction[axis] + at_);
+        }
+        const auto& v = direction_;
+        a_ = dot_lanes(d, v[0], v[1], v[2], v[0], v[1], v[2]);
+        unbounded_ =
+            ~bits_of(d, hn::And(hn::Ge(a_, hn::Set(d, 0x1p-40F)), hn::Le(a_, hn::Set(d, 0x1p40F))));
     }
-    return bits_of(d, hn::Not(out));
-}
+
+    HWY_INLINE std::uint32_t operator()(const SphereBlock<float>& block, std::size_t lane) const {
+        const D d;
+        const auto relative = [&](std::size_t axis) HWY_ATTR {
+            return hn::Sub(origin_[axis], hn::Set(d, block.center[axis][lane]));
+        };
+        const auto fx = relative(0);
+        const auto fy = relative(1);
+        const auto fz = relative(2);
+        const auto b = dot_lanes(d, fx, fy, fz, direction_[0], direction_[1], direction_[2]);
+        const auto square = hn::Set(d, block.radius[lane] * block.radius[lane]);
+        const auto far = dot_lanes(d, fx, fy, fz, fx, fy, fz);
+        const auto sum = hn::Add(far, square);
+        const auto c = hn::Sub(far, square);
+        const auto slack = hn::Set(d, 64 * kRounding<float>);
+        // What underflows is below it, if the direction's length is not extreme.
+        const auto tiny = hn::Set(d, 0x1p-80F);
+        const auto least = hn::Mul(a_, hn::Sub(c, hn::Add(hn::Mul(slack, sum), tiny)));
+        const auto toward = hn::Min(b, hn::Zero(d));
+        const auto missed_or_behind = hn::Gt(least, hn::Mul(toward, toward));
+        // Where this is too much for a float, it says nothing.
+        const auto bound = hn::Load(d, p_.bound + at_);
+        const auto to_bound = hn::Mul(a_, bound);
+        const auto twice = hn::Add(b, b);
+        const auto there = hn::Add(hn::Mul(hn::Add(to_bound, twice), bound), c);
+        const auto sum_there = hn::Add(hn::Mul(hn::Add(to_bound, hn::Abs(twice)), bound), sum);
+        const auto beyond = hn::And(hn::Lt(hn::Add(to_bound, b), hn::Zero(d)),
+                                    hn::Gt(there, hn::Add(hn::Mul(slack, sum_there), tiny)));
+        auto out = hn::And(hn::Or(missed_or_behind, beyond), hn::Le(sum, hn::Set(d, 0x1p80F)));
+        std::uint32_t bits = bits_of(d, out) & ~unbounded_;
+        if (p_.some_excluded) bits |= excluded(p_.excluded_closed, block.object[lane]);
+        return ~bits;
+    }
+    /// The rays that have just left the sphere.
+    HWY_INLINE std::uint32_t left(ir::ObjectId object) const {
+        return p_.some_excluded ? excluded(p_.excluded_object, object) : 0;
+    }
+
+  private:
+    using D = Packet::D;
+    HWY_INLINE std::uint32_t excluded(const std::uint32_t* objects, ir::ObjectId object) const {
+        const hn::RebindToUnsigned<D> d;
+        return bits_of(d, hn::Eq(hn::Load(d, objects + at_), hn::Set(d, object.value)));
+    }
+
+    const Packet& p_;
+    std::size_t at_;
+    hn::Vec<D> origin_[3], direction_[3], a_;
+    std::uint32_t unbounded_;
+};
 
 /// Each lane's quadratic as intersect_sphere() has it, bit for bit: a t^2 - 2 b t + c, and what is
 /// left of the radius' square where the line comes nearest, below 0 where it misses.
@@ -265,18 +271,18 @@ HWY_INLINE void test_sphere_group(const Geometry<float>& g, ChildRef at, std::ui
                                   Packet& p, std::size_t group) {
     const SphereBlock<float>& block = g.wide.spheres[at.index()];
     const Packet::D d;
-    const std::size_t first = group * Packet::kLanes;
+    const auto t_min = hn::Load(d, p.t_min + group * Packet::kLanes);
+    const MayMeet may_meet(p, group);
     for (std::size_t lane = 0; lane < kSphereLanes && block.object[lane].valid(); ++lane) {
         p.primitive_tests += Packet::kLanes;
-        const std::uint32_t open = rays & may_meet(block, lane, p, group);
+        const std::uint32_t open = rays & may_meet(block, lane);
         if (open == 0) continue;
         SphereHits hits;
         const std::uint32_t bits = meet_sphere(block, lane, p, group, open, hits);
         if (bits == 0) continue;
         const ir::ObjectId object = block.object[lane];
         const auto near = hn::Load(d, hits.near);
-        auto enters = hn::Gt(near, hn::Load(d, p.t_min + first));
-        if (p.some_excluded) enters = hn::AndNot(left_sphere(object, p, first), enters);
+        const auto enters = hn::AndNot(mask_of(d, may_meet.left(object)), hn::Gt(near, t_min));
         const auto t = hn::IfThenElse(enters, near, hn::Load(d, hits.far));
         offer_sphere<kAny>(g.wide, p, group, t, bits, object);
     }
