@@ -2,6 +2,8 @@
 #include "renderer/integrator/batched_tile.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace cobble::renderer {
@@ -98,11 +100,16 @@ void BatchedTile<T>::sort() {
     PendingRays<T>& rays = now_[turn_];
     const Likeness* const likenesses = rays.likenesses(0);
     const std::size_t count = rays.size();
+    order_.resize(count);
     ends_.fill(0);
+    if (count < kFewestCoherent) {
+        std::iota(order_.begin(), order_.end(), 0U);
+        ends_.back() = static_cast<std::uint32_t>(count);
+        return;
+    }
     for (std::size_t i = 0; i < count; ++i) ++ends_[likenesses[i]];
     std::uint32_t begin = 0;
     for (std::uint32_t& end : ends_) begin += std::exchange(end, begin);
-    order_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         order_[ends_[likenesses[i]]++] = static_cast<std::uint32_t>(i);
     }
