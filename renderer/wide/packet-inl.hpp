@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -115,7 +116,7 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const float* from, std::size_t stride) {
     }
 }
 
-/// The first eight numbers of kLanes rays in columns.
+/// The first eight numbers of kLanes rays in columns from `at` on.
 HWY_INLINE void transpose(const Ray<float>* rays, Packet& p, std::size_t at) {
     using D = Packet::D;
     using V = hn::Vec<D>;
@@ -126,7 +127,7 @@ HWY_INLINE void transpose(const Ray<float>* rays, Packet& p, std::size_t at) {
                   offsetof(Ray<float>, t_max) == 7 * sizeof(float));
     // Ray i of each four, one behind the other.
     const auto rows = [&](std::size_t i, std::size_t from) HWY_ATTR {
-        return load_blocks(d, reinterpret_cast<const float*>(rays + at + i) + from, 4 * kNumbers);
+        return load_blocks(d, reinterpret_cast<const float*>(rays + i) + from, 4 * kNumbers);
     };
     const auto columns = [&](std::size_t from, V* to) HWY_ATTR {
         const V r0 = rows(0, from), r1 = rows(1, from), r2 = rows(2, from), r3 = rows(3, from);
@@ -209,21 +210,25 @@ inline bool gather(const Ray<float>* rays, const Exclude* excludes, std::size_t 
     constexpr float kMost = std::numeric_limits<float>::max();
     if (count == kPacketRays) {
         for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
-            transpose(rays, p, at);
+            transpose(rays + at, p, at);
         }
         p.some_excluded = transpose_excludes(excludes, p);
     } else {
         // Filled up with the last one, so that its beam is not widened.
-        Ray<float> all[kPacketRays];
+        const std::size_t whole = count - count % Packet::kLanes;
+        for (std::size_t at = 0; at < whole; at += Packet::kLanes) transpose(rays + at, p, at);
+        Ray<float> last[Packet::kLanes];
+        for (std::size_t i = 0; i < Packet::kLanes; ++i) {
+            last[i] = rays[whole + i < count ? whole + i : count - 1];
+        }
+        for (std::size_t at = whole; at < kPacketRays; at += Packet::kLanes) {
+            transpose(last, p, at);
+            if (at == whole) std::fill_n(last, Packet::kLanes, rays[count - 1]);
+        }
         Exclude all_excludes[kPacketRays];
-        for (std::size_t i = 0; i < kPacketRays; ++i) {
-            all[i] = rays[i < count ? i : count - 1];
-            all_excludes[i] = excludes[i < count ? i : count - 1];
-        }
+        std::copy_n(excludes, count, all_excludes);
+        std::fill(all_excludes + count, all_excludes + kPacketRays, excludes[count - 1]);
         p.some_excluded = transpose_excludes(all_excludes, p);
-        for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
-            transpose(all, p, at);
-        }
         for (std::size_t i = count; i < kPacketRays; ++i) {
             p.bound[i] = std::numeric_limits<float>::lowest();
             p.least[i] = p.bound[i];
