@@ -2,13 +2,14 @@
 // The fast way through a tile of a scene in which rays go on from surfaces: many samples on their
 // way at once, turn by turn.
 //
-// All samples of a run send their first rays, then those that go on from there, and so on. Children
-// of a turn are written behind each other, the reflected ones apart from the refracted ones, so
-// that rays that went the same way lie side by side, in the order of their pixels, and batches are
-// full whatever the path. What each ray brings back is kept; in the end all of it is added to the
-// samples in the order of the reference, and the samples to their pixels in their order, so that
-// the pictures are the same bits. A tree that grows too big is put aside, and what is left of it
-// followed path by path.
+// All samples of a run send their first rays, then those that go on from there, and so on. Whatever
+// path they took, the rays of a turn wait in one place, reflected ones apart from refracted ones,
+// and are taken in an order in which those that leave the same object in much the same direction
+// are neighbours: batches are full, and most of their rays go in packets. What each ray brings back
+// is kept by its place in the tree of paths; in the end all of it is added to the samples in the
+// order of the reference, and the samples to their pixels in their order, so that the pictures are
+// the same bits. A tree that grows too big is put aside, and what is left of it followed path by
+// path.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@
 namespace cobble::renderer {
 
 /// Memory: some 150 bytes for each sample of a run, and in single precision 16 for each ray of its
-/// trees and 68 for each ray of two turns. There are at most 65,000 rays of one, or twice that in
+/// trees and 82 for each ray of two turns. There are at most 65,000 rays of one, or twice that in
 /// a turn; each six turns more, at the worst, may put as many aside.
 template <typename T>
 class BatchedTile final : public PausedWork {

@@ -64,7 +64,7 @@ class RayTree {
 
     /// What rays bring back: the colours of their batch.
     void bring(const Columns3<T>& colors, const Carried<T>* carried, std::size_t count) {
-        if (brought_.size() < ray_count_) brought_.resize(2 * ray_count_);
+        if (brought_.size() < ray_count_) brought_.resize(ray_count_);
         for (std::size_t i = 0; i < count; ++i) {
             brought_[carried[i].number] = {carried[i].weight * colors.at(i), carried[i].sample};
         }
