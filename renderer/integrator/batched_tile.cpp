@@ -9,8 +9,9 @@
 namespace cobble::renderer {
 namespace {
 
-/// Samples of a run: as many as fill the batches of deep turns, which each are of many paths; but
-/// what one turn hands the next is to stay in the second cache.
+/// Samples of a run: so many that of a deep turn's rays, which head everywhere, those that are
+/// alike are enough for packets, and so few that what one turn hands the next stays in the second
+/// cache.
 constexpr std::size_t kMostSamples = 1024;
 constexpr std::size_t kFewestSamples = 64;
 /// Rays that a tree is meant to have, and that it may have before it is put aside.

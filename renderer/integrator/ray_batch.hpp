@@ -35,7 +35,6 @@ struct RayBatch {
 
     RayBatch() { stretches.reserve(kBatchSize); }
     [[nodiscard]] std::size_t size() const { return count; }
-    [[nodiscard]] bool empty() const { return count == 0; }
     void clear() { begin(0); }
     /// Of so many rays, which are written then.
     void begin(std::size_t of) {
@@ -44,11 +43,7 @@ struct RayBatch {
         in_columns = false;
         stretches.clear();
     }
-    void add(const Ray<T>& ray, const Exclude& exclude) {
-        rays[count] = ray;
-        excludes[count++] = exclude;
-    }
-    /// What was added since the last stretch is one.
+    /// What is left since the last stretch is one.
     void end_stretch(Coherence coherence) { end_stretch_at(size(), coherence); }
     /// The next stretch ends with ray `end` - 1; none if it is empty.
     void end_stretch_at(std::size_t end, Coherence coherence) {
