@@ -19,6 +19,7 @@
 #include <hwy/highway.h>
 
 #include "renderer/integrator/pixel_places-inl.hpp"
+#include "renderer/integrator/shadow_rays-inl.hpp"
 #include "renderer/integrator/spread-inl.hpp"
 
 // All that a loop calls becomes part of it: a call left over would keep it from taking many at
@@ -451,6 +452,7 @@ const ColumnLoops<T>& loops() {
         ask_with_shadows_to_target<T>,
         ask_with_shadows_in_direction<T>,
         ask_without_shadows<T>,
+        begin_shadow_rays<T>,
         add_light<T>,
         scatter<false, T>,
         scatter<true, T>,

@@ -34,18 +34,30 @@ inline TrianglePrimitive<float> lane_of(const TriangleBlock<float>& block, std::
     return triangle;
 }
 
-/// The shear of a ray, from what the packet has of it.
-inline RayShear<float> shear_of(const Packet& p, std::size_t ray) {
-    return {p.rays[ray].origin, p.rays[ray].direction, p.kx, p.ky, p.kz, p.sx[ray], p.sy[ray]};
+/// A ray's numbers along the axes.
+inline math::Vec3<float> ray_row(const float (&rows)[3][kPacketRays], std::size_t ray) {
+    return {rows[0][ray], rows[1][ray], rows[2][ray]};
 }
 
-/// What a single test asks and answers.
+inline Exclude exclude_of(const Packet& p, std::size_t ray) {
+    return {ir::ObjectId{p.excluded_object[ray]}, p.excluded_face[ray], p.goes_inside[ray] != 0};
+}
+
+/// The shear of a ray, from what the packet has of it.
+inline RayShear<float> shear_of(const Packet& p, std::size_t ray) {
+    return {ray_row(p.origin, ray), ray_row(p.direction, ray), p.kx, p.ky, p.kz, p.sx[ray],
+            p.sy[ray]};
+}
+
+/// What a single test asks and answers. Of any hit the bound alone says where a ray ends.
+template <bool kAny>
 inline Search<float> begin_search(const Packet& p, std::size_t ray) {
     Search<float> search;
     search.best = p.best[ray];
+    if (kAny) search.best.t = p.bound[ray];
     search.t_min = p.t_min[ray];
-    search.time = p.rays[ray].time;
-    search.exclude = p.excludes[ray];
+    search.time = p.times[ray * p.time_step];
+    search.exclude = exclude_of(p, ray);
     return search;
 }
 
@@ -59,10 +71,8 @@ inline void end_search(const Search<float>& search, Packet& p, std::size_t ray) 
 }
 
 inline RayForms<float> forms_of(const Packet& p, std::size_t ray) {
-    const auto row = [ray](const float(&rows)[3][kPacketRays]) {
-        return math::Vec3<float>{rows[0][ray], rows[1][ray], rows[2][ray]};
-    };
-    return {{p.rays[ray].origin, row(p.inverse), row(p.inverse_far)}, shear_of(p, ray)};
+    return {{ray_row(p.origin, ray), ray_row(p.inverse, ray), ray_row(p.inverse_far, ray)},
+            shear_of(p, ray)};
 }
 
 /// Computes t, u and v of the triangle that is ahead, if there is one.

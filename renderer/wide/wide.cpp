@@ -2,6 +2,7 @@
 #include "renderer/wide/wide.hpp"
 
 #include <algorithm>
+#include <array>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/wide/wide.cpp"
@@ -18,8 +19,23 @@ namespace cobble::renderer::HWY_NAMESPACE {
 template <bool kAny, typename T>
 void search_singly(const WideQuery<T>& q, std::size_t first, std::size_t count, Hit<T>* hits,
                    Counters& counters) {
-    search_singly<kAny>(*q.geometry, q.rays + first, q.excludes + first, count, hits + first,
-                        counters);
+    if (q.rays != nullptr) {
+        search_singly<kAny>(*q.geometry, q.rays + first, q.excludes + first, count, hits + first,
+                            counters);
+        return;
+    }
+    constexpr std::size_t kAtOnce = 64;
+    std::array<Ray<T>, kAtOnce> rays;
+    std::array<Exclude, kAtOnce> excludes;
+    for (const std::size_t end = first + count; first < end; first += kAtOnce) {
+        const std::size_t some = std::min(kAtOnce, end - first);
+        for (std::size_t i = 0; i < some; ++i) {
+            rays[i] = q.columns->ray(first + i);
+            excludes[i] = q.columns->exclude(first + i);
+        }
+        search_singly<kAny>(*q.geometry, rays.data(), excludes.data(), some, hits + first,
+                            counters);
+    }
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -42,8 +58,7 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
-        if (count <= kPacketRays / 4 ||
-            !gather(q.rays + first, q.excludes + first, count, hits + first, packet)) {
+        if (count <= kPacketRays / 4 || !gather<kAny>(q, first, count, hits + first, packet)) {
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }

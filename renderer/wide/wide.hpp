@@ -10,7 +10,7 @@
 
 namespace cobble::renderer {
 
-/// `count` rays against a scene prepared for the fast core. With `any` a ray ends at the first hit
+/// `count` rays, in an array or in columns, against a scene prepared for the fast core. With `any` a ray ends at the first hit
 /// in its interval, whichever it is, and only `object` has a meaning. `coherent`: neighbours in the
 /// array go much the same way; a wrong word costs time, never an answer.
 template <typename T>
@@ -21,6 +21,7 @@ struct WideQuery {
     std::size_t count = 0;
     bool any = false;
     bool coherent = false;
+    const RayColumns<T>* columns = nullptr;  ///< the rays and what they leave out, if `rays` is null
 };
 
 void search_wide(const WideQuery<float>& query, Hit<float>* hits, Counters& counters);
