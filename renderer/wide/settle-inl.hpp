@@ -45,8 +45,8 @@ inline Exclude exclude_of(const Packet& p, std::size_t ray) {
 
 /// The shear of a ray, from what the packet has of it.
 inline RayShear<float> shear_of(const Packet& p, std::size_t ray) {
-    return {ray_row(p.origin, ray), ray_row(p.direction, ray), p.kx, p.ky, p.kz, p.sx[ray],
-            p.sy[ray]};
+    return {
+        ray_row(p.origin, ray), ray_row(p.direction, ray), p.kx, p.ky, p.kz, p.sx[ray], p.sy[ray]};
 }
 
 /// What a single test asks and answers. Of any hit the bound alone says where a ray ends.
@@ -102,10 +102,12 @@ HWY_INLINE std::uint32_t waiting_rays(const Packet& p, std::size_t group) {
     return bits_of(du, hn::Ne(ahead, hn::Set(du, Packet::kNoTriangle)));
 }
 
-/// The corners of the triangles that wait for a group's rays: corner, axis, ray. Neighbours mostly
-/// wait for the same one. Lanes that none waits for have whatever comes first.
+/// The triangles that wait for a group's rays: corner, axis, ray; and whose they are. Neighbours
+/// mostly wait for the same one. Lanes that none waits for have whatever comes first.
 struct CornersOfGroup {
     alignas(64) float at[3][3][Packet::kLanes];
+    alignas(64) std::uint32_t object[Packet::kLanes];
+    alignas(64) std::uint32_t face[Packet::kLanes];
 };
 HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std::size_t group,
                                std::uint32_t waiting, CornersOfGroup& corners) {
@@ -113,6 +115,8 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
     const hn::RebindToUnsigned<Packet::D> du;
     const auto ahead = hn::Load(du, p.ahead + group * Packet::kLanes);
     hn::Vec<Packet::D> c[3][3];
+    auto object = ahead;
+    auto face = ahead;
     const auto each = [&](auto what) HWY_ATTR {
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t axis = 0; axis < 3; ++axis) what(i, axis);
@@ -127,6 +131,8 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
         const std::size_t lane = one % kBlockLanes;
         const auto same = hn::Eq(ahead, hn::Set(du, one));
         waiting &= ~bits_of(du, same);
+        object = hn::IfThenElse(same, hn::Set(du, block.object[lane].value), object);
+        face = hn::IfThenElse(same, hn::Set(du, block.face[lane]), face);
         if (some) {
             const auto mask = hn::RebindMask(d, same);
             each([&](std::size_t i, std::size_t axis) HWY_ATTR {
@@ -141,6 +147,8 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
     }
     each([&](std::size_t i, std::size_t axis)
              HWY_ATTR { hn::Store(c[i][axis], d, corners.at[i][axis]); });
+    hn::Store(object, du, corners.object);
+    hn::Store(face, du, corners.face);
 }
 
 /// settle() of all rays: the same arithmetic, a lane each. Every lane of a group is computed, those
@@ -207,9 +215,20 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
         const Vectors direction = of_ray(p.direction);
         const V along = product(normal, direction);
         const V t = hn::Div(product(normal, minus(p0, of_ray(p.origin))), along);
-        alignas(64) float ts[kLanes], us[kLanes], vs[kLanes];
-        hn::Store(hn::DemoteTo(df, t), df, ts);
-        hn::Store(hn::DemoteTo(df, hn::Div(v, det)), df, us);
+        const auto near = hn::Load(df, p.least + at);
+        const auto far = hn::Load(df, p.bound + at);
+        // clamp_to()
+        auto ts = hn::DemoteTo(df, t);
+        ts = hn::IfThenElse(hn::Lt(ts, near), near, hn::IfThenElse(hn::Gt(ts, far), far, ts));
+        const auto number_of = [&](const std::uint32_t* numbers) HWY_ATTR {
+            return hn::BitCast(df,
+                               hn::Load(hn::RebindToUnsigned<decltype(df)>(), numbers + in_group));
+        };
+        // A hit's first four numbers side by side.
+        alignas(64) float first_four[4 * kLanes];
+        alignas(64) float vs[kLanes];
+        hn::StoreInterleaved4(ts, number_of(corners.object), number_of(corners.face),
+                              hn::DemoteTo(df, hn::Div(v, det)), df, first_four);
         hn::Store(hn::DemoteTo(df, hn::Div(w, det)), df, vs);
         const std::uint32_t edge_on = bits_of(d, hn::Eq(along, hn::Zero(d)));
         for (std::uint32_t left = waiting >> in_group & ((1U << kLanes) - 1); left != 0;
@@ -220,11 +239,10 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
                 settle(tree, p, ray);
                 continue;
             }
-            const std::uint32_t ahead = p.ahead[ray];
-            const TriangleBlock<float>& block = tree.triangles[ahead / kBlockLanes];
-            const Span<float> span{p.least[ray], p.bound[ray]};
-            p.best[ray] = {clamp_to(span, ts[i]), block.object[ahead % kBlockLanes],
-                           block.face[ahead % kBlockLanes], us[i], vs[i]};
+            static_assert(offsetof(Hit<float>, v) == 4 * sizeof(float));
+            const hn::FixedTag<float, 4> four;
+            hn::StoreU(hn::Load(four, first_four + 4 * i), four, &p.best[ray].t);
+            p.best[ray].v = vs[i];
         }
     }
 }
