@@ -59,8 +59,8 @@ inline std::size_t shadow_rays_in_lanes(const HitColumns<float>& hits,
     std::size_t found = 0;
     for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
         const auto left = hn::Set(di, static_cast<std::int32_t>(count - at));
-        const auto matters = hn::And(hn::Ne(hn::Load(di, answers.matters + at), hn::Zero(di)),
-                                     hn::Lt(lane, left));
+        const auto matters =
+            hn::And(hn::Ne(hn::Load(di, answers.matters + at), hn::Zero(di)), hn::Lt(lane, left));
         const auto mask = hn::RebindMask(d, matters);
         const auto keep = [&](const float* from, float* to) HWY_ATTR {
             hn::StoreU(hn::Compress(hn::Load(d, from + at), mask), d, to + found);
