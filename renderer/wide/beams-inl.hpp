@@ -148,9 +148,9 @@ inline void gather_beams(Packet& p) {
         spread_to_node(hn::Mul(inverse.greatest, slack), beams.greatest_far[a]);
     }
     spread_to_node(p.starts_at_0 ? hn::Zero(d) : at_nodes(extremes_of(p.t_min)).least, beams.t_min);
-    spread_to_node(p.endless ? hn::Set(d, std::numeric_limits<float>::max())
-                             : extremes_of(p.bound).greatest,
-                   beams.bound);
+    spread_to_node(
+        p.endless ? hn::Set(d, std::numeric_limits<float>::max()) : extremes_of(p.bound).greatest,
+        beams.bound);
     spread_to_block(origin[p.kx], beams, 0);
     spread_to_block(origin[p.ky], beams, 1);
     spread_to_block(origin[p.kz], beams, 2);

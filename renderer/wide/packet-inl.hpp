@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -101,7 +102,7 @@ struct Packet {
 
     /// Whether going together was worth it for rays that ask for any hit: where each meets leaves
     /// of its own, they are faster alone.
-    [[nodiscard]] bool stayed_together() const { return leaf_rays * 6 >= leaf_groups * kLanes; }
+    [[nodiscard]] bool stayed_together() const { return leaf_rays * 10 >= leaf_groups * kLanes; }
 };
 
 /// Blocks of four lanes, the first from `from` and each next one `stride` numbers behind.
@@ -268,7 +269,7 @@ HWY_INLINE void set_nothing_ahead(Hit<float>* best) {
     const Packet::D d;
     const auto* const from = reinterpret_cast<const float*>(kNothingAhead.hits);
     auto* const to = reinterpret_cast<float*>(best);
-    constexpr std::size_t kNumbers = sizeof(kNothingAhead.hits) / sizeof(float);
+    constexpr std::size_t kNumbers = kPacketRays * (sizeof(Hit<float>) / sizeof(float));
     static_assert(kNumbers % Packet::kLanes == 0);
     for (std::size_t at = 0; at < kNumbers; at += Packet::kLanes) {
         hn::StoreU(hn::Load(d, from + at), d, to + at);
@@ -287,11 +288,11 @@ HWY_INLINE bool all_endless(const Packet& p) {
     return hn::AllTrue(d, endless);
 }
 
-/// False if the rays do not all go the same way, or along an axis: then nothing is to be done with
-/// the packet. The arithmetic of RaySlabs and RayShear.
+/// How many rays from the first on go the same way, none along an axis: if not all, nothing is to
+/// be done with the packet. The arithmetic of RaySlabs and RayShear.
 template <bool kAny>
-bool gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t count, Hit<float>* best,
-            Packet& p) {
+std::size_t gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t count,
+                   Hit<float>* best, Packet& p) {
     p.best = best;
     p.box_tests = 0;
     p.primitive_tests = 0;
@@ -316,20 +317,21 @@ bool gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t count,
     const Packet::D d;
     const auto zero = hn::Zero(d);
     const auto most = hn::Set(d, kMost);
+    std::uint64_t others = 0;
     for (std::size_t a = 0; a < 3; ++a) {
         p.negative[a] = p.direction[a][0] < 0;
-        auto fine = hn::Eq(zero, zero);
         for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
             const auto direction = hn::Load(d, p.direction[a] + at);
             const auto inverse = hn::Div(hn::Set(d, 1.0F), direction);
             const auto inverse_far = hn::Mul(inverse, hn::Set(d, kFarSlack<float>));
             const auto ahead = p.negative[a] ? hn::Lt(direction, zero) : hn::Gt(direction, zero);
-            fine = hn::And(fine, hn::And(ahead, hn::Le(hn::Abs(inverse_far), most)));
+            const auto fine = hn::And(ahead, hn::Le(hn::Abs(inverse_far), most));
+            others |= std::uint64_t{bits_of(d, hn::Not(fine))} << at;
             hn::Store(inverse, d, p.inverse[a] + at);
             hn::Store(inverse_far, d, p.inverse_far[a] + at);
         }
-        if (!hn::AllTrue(d, fine)) return false;
     }
+    if (others != 0) return std::min(count, hwy::Num0BitsBelowLS1Bit_Nonzero64(others));
     const auto least_slope = hn::Set(d, detail::kEdgeThreshold<float>);
     for (std::size_t at = 0; at < kPacketRays; at += Packet::kLanes) {
         const auto z = hn::Load(d, p.direction[p.kz] + at);
@@ -340,10 +342,9 @@ bool gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t count,
         for (std::size_t a = 0; a < 3; ++a) {
             const auto other = hn::Abs(hn::Load(d, p.direction[a] + at));
             const bool wins_ties = a > p.kz;
-            if (a != p.kz &&
-                !hn::AllTrue(d, wins_ties ? hn::Gt(longest, other) : hn::Ge(longest, other))) {
-                return false;
-            }
+            if (a == p.kz) continue;
+            const auto shorter = wins_ties ? hn::Gt(longest, other) : hn::Ge(longest, other);
+            others |= std::uint64_t{bits_of(d, hn::Not(shorter))} << at;
         }
         const auto slope = [&](hn::Vec<Packet::D> of) HWY_ATTR {
             const auto s = hn::Div(of, z);
@@ -356,6 +357,7 @@ bool gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t count,
         hn::Store(hn::IfThenZeroElse(hn::Eq(sx, zero), x), d, p.direction[p.kx] + at);
         hn::Store(hn::IfThenZeroElse(hn::Eq(sy, zero), y), d, p.direction[p.ky] + at);
     }
+    if (others != 0) return std::min(count, hwy::Num0BitsBelowLS1Bit_Nonzero64(others));
     if (count != kPacketRays || (!kAny && !all_endless(p))) {
         for (std::size_t i = 0; i < count; ++i) best[i] = {p.bound[i], {}, 0, 0, 0};
     } else {
@@ -363,7 +365,7 @@ bool gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t count,
         set_nothing_ahead(best);
     }
     p.bounds_pay = true;
-    return true;
+    return count;
 }
 
 /// The rays of a group that meet the box in a slot of a node.

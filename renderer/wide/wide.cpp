@@ -51,14 +51,23 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
     // After a packet that fell apart, so many others of the call are not tried.
     constexpr std::size_t kPause = 7;
     std::size_t pause = 0;
-    for (std::size_t first = 0; first < q.count; first += kPacketRays) {
-        const std::size_t count = std::min(kPacketRays, q.count - first);
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < q.count; first += count) {
+        count = std::min(kPacketRays, q.count - first);
         if (pause > 0) {
             --pause;
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
-        if (count <= kPacketRays / 4 || !gather<kAny>(q, first, count, hits + first, packet)) {
+        constexpr std::size_t kFew = kPacketRays / 4;
+        std::size_t alike = 0;
+        if (count > kFew) alike = gather<kAny>(q, first, count, hits + first, packet);
+        // The next packet begins with the first ray that goes another way.
+        while (alike > kFew && alike < count) {
+            count = alike;
+            alike = gather<kAny>(q, first, count, hits + first, packet);
+        }
+        if (alike <= kFew) {
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
