@@ -154,17 +154,18 @@ void BatchShading<T>::place(std::size_t lane, std::size_t slot, std::size_t entr
 /// Hits in the order of the batch; the answer has a bit for each form among them.
 template <typename T>
 std::uint32_t BatchShading<T>::place_in_order() {
-    std::uint32_t forms = 0;
     std::size_t entry = 0;
     for (std::size_t lane = 0; lane < given_.size(); ++lane) {
         const Hit<T>& hit = given_[lane];
         entry_[lane] = -1;
-        if (!hit) continue;
-        const std::size_t slot = slot_of(hit);
-        forms |= 1U << static_cast<std::uint32_t>(form_[slot]);
-        place(lane, slot, entry++);
+        if (hit) place(lane, slot_of(hit), entry++);
     }
     count_ = entry;
+    // Each slot has been met.
+    std::uint32_t forms = 0;
+    for (std::size_t slot = 0; slot < slot_count_; ++slot) {
+        forms |= 1U << static_cast<std::uint32_t>(form_[slot]);
+    }
     return forms;
 }
 
