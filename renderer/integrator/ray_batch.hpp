@@ -59,7 +59,9 @@ struct RayBatch {
         all.outward = outward;
         return all;
     }
-    [[nodiscard]] Ray<T> ray(std::size_t i) const { return in_columns ? columns().ray(i) : rays[i]; }
+    [[nodiscard]] Ray<T> ray(std::size_t i) const {
+        return in_columns ? columns().ray(i) : rays[i];
+    }
     void clear() { begin(0); }
     /// Of so many rays, which are written then.
     void begin(std::size_t of) {
