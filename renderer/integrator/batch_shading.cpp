@@ -354,8 +354,7 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
 /// Those of the entries that matter, in the order of the batch.
 template <typename T>
 void BatchShading<T>::begin_shadow_rays() {
-    shadow_.in_columns = true;
-    shadow_.bounded = true;
+    shadow_.in_columns = shadow_.bounded = true;
     const auto& stretches = batch_->stretches;
     if (sorted_as_given_ && stretches.size() == 1) {
         const std::size_t count =
@@ -368,8 +367,7 @@ void BatchShading<T>::begin_shadow_rays() {
         const std::int32_t* const slot_of_entry = hits_->slot;
         const SurfaceSlots<T>& slots = *slots_;
         const std::size_t lit = lit_;
-        std::size_t count = 0;
-        std::size_t lane = 0;
+        std::size_t count = 0, lane = 0;
         for (const auto& stretch : stretches) {
             for (; lane < stretch.end; ++lane) {
                 const auto i = static_cast<std::size_t>(entry_[lane]);
