@@ -154,17 +154,18 @@ void BatchShading<T>::place(std::size_t lane, std::size_t slot, std::size_t entr
 /// Hits in the order of the batch; the answer has a bit for each form among them.
 template <typename T>
 std::uint32_t BatchShading<T>::place_in_order() {
-    std::uint32_t forms = 0;
     std::size_t entry = 0;
     for (std::size_t lane = 0; lane < given_.size(); ++lane) {
         const Hit<T>& hit = given_[lane];
         entry_[lane] = -1;
-        if (!hit) continue;
-        const std::size_t slot = slot_of(hit);
-        forms |= 1U << static_cast<std::uint32_t>(form_[slot]);
-        place(lane, slot, entry++);
+        if (hit) place(lane, slot_of(hit), entry++);
     }
     count_ = entry;
+    // Each slot has been met.
+    std::uint32_t forms = 0;
+    for (std::size_t slot = 0; slot < slot_count_; ++slot) {
+        forms |= 1U << static_cast<std::uint32_t>(form_[slot]);
+    }
     return forms;
 }
 
@@ -198,7 +199,7 @@ void BatchShading<T>::find_rays() {
         return;
     }
     for (std::size_t i = 0; i < count_; ++i) {
-        const Ray<T>& ray = batch_->rays[lane_[i]];
+        const Ray<T> ray = batch_->ray(lane_[i]);
         own_from_.set(i, ray.origin);
         own_direction_.set(i, ray.direction);
     }
@@ -260,6 +261,7 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     }
     first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
     lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
+    sorted_as_given_ = one_form;
     in_order_ = one_form && count_ == hits.size();
     find_rays();
     for (std::size_t i = 0; i < kForms; ++i) {
@@ -276,7 +278,7 @@ void BatchShading<T>::look_at_other(std::size_t entry) {
     const std::size_t lane = lane_[entry];
     Encounter<T>& met = others_.emplace_back();
     met.hit = given_[lane];
-    meet(*scene_, batch_->rays[lane], met);
+    meet(*scene_, batch_->ray(lane), met);
     const SurfacePoint<T>& point = met.point;
     hits_->position.set(entry, point.position);
     hits_->geometric.set(entry, point.geometric_normal);
@@ -344,35 +346,53 @@ void BatchShading<T>::sent_by(const PreparedLight& light) {
     shadow_.clear();
     if (!shadows) {
         loops_->add_light(*hits_, *light_, lit_);
-        return;
+    } else {
+        begin_shadow_rays();
     }
-    // Looked up once: what is written may be anything, for all that the compiler knows.
-    const LightColumns<T>& answers = *light_;
-    const std::int32_t* const slot_of_entry = hits_->slot;
-    const SurfaceSlots<T>& slots = *slots_;
-    const std::size_t lit = lit_;
-    const Ray<T>* const asked_by = batch_->rays.data();
-    std::size_t count = 0;
-    std::size_t lane = 0;
-    for (const auto& stretch : batch_->stretches) {
-        for (; lane < stretch.end; ++lane) {
-            const auto i = static_cast<std::size_t>(entry_[lane]);
-            // Entries of rays that met nothing are beyond all.
-            if (i >= lit || answers.matters[i] == 0) continue;
-            // Its t_min is 0 for good.
-            Ray<T>& ray = shadow_.rays[count];
-            ray.origin = answers.from.at(i);
-            ray.direction = answers.way.at(i);
-            ray.t_max = answers.t_max[i];
-            ray.time = asked_by[lane].time;
-            const auto slot = static_cast<std::size_t>(slot_of_entry[i]);
-            shadow_.excludes[count] = {ir::ObjectId{slots.object[slot]}, slots.face[slot],
-                                       answers.outward[i] == 0};
-            asker_[count++] = static_cast<std::uint32_t>(i);
+}
+
+/// Those of the entries that matter, in the order of the batch.
+template <typename T>
+void BatchShading<T>::begin_shadow_rays() {
+    shadow_.in_columns = shadow_.bounded = true;
+    const auto& stretches = batch_->stretches;
+    if (sorted_as_given_ && stretches.size() == 1) {
+        const std::size_t count =
+            loops_->begin_shadow_rays(*slots_, slot_count_, *hits_, *light_, lit_, shadow_, asker_);
+        shadow_.end_stretch_at(count, stretches[0].coherence);
+        shadow_.count = count;
+    } else {
+        // Looked up once: what is written may be anything, for all that the compiler knows.
+        const LightColumns<T>& answers = *light_;
+        const std::int32_t* const slot_of_entry = hits_->slot;
+        const SurfaceSlots<T>& slots = *slots_;
+        const std::size_t lit = lit_;
+        std::size_t count = 0, lane = 0;
+        for (const auto& stretch : stretches) {
+            for (; lane < stretch.end; ++lane) {
+                const auto i = static_cast<std::size_t>(entry_[lane]);
+                // Entries of rays that met nothing are beyond all.
+                if (i >= lit || answers.matters[i] == 0) continue;
+                shadow_.origin.set(count, answers.from.at(i));
+                shadow_.direction.set(count, answers.way.at(i));
+                shadow_.t_max[count] = answers.t_max[i];
+                const auto slot = static_cast<std::size_t>(slot_of_entry[i]);
+                shadow_.object[count] = slots.object[slot];
+                shadow_.face[count] = slots.face[slot];
+                shadow_.outward[count] = answers.outward[i];
+                asker_[count++] = static_cast<std::uint32_t>(i);
+            }
+            shadow_.end_stretch_at(count, stretch.coherence);
         }
-        shadow_.end_stretch_at(count, stretch.coherence);
+        shadow_.count = count;
     }
-    shadow_.count = count;
+    if (scene_->effects.motion_blur) {
+        for (std::size_t i = 0; i < shadow_.count; ++i) {
+            shadow_.time[i] = batch_->ray(lane_[asker_[i]]).time;
+        }
+    } else {
+        std::fill_n(shadow_.time, shadow_.count, batch_->ray(0).time);
+    }
 }
 
 template <typename T>
@@ -398,11 +418,11 @@ void BatchShading<T>::color(Columns3<T>& colors) {
         const std::int32_t entry = entry_[lane];
         const auto i = static_cast<std::size_t>(entry);
         if (entry < 0) {
-            colors.set(lane, background(*scene_, batch_->rays[lane].direction));
+            colors.set(lane, background(*scene_, batch_->ray(lane).direction));
         } else if (i < lit_) {
             colors.set(lane, hits_->light.at(i));
         } else {
-            colors.set(lane, color_of(*scene_, batch_->rays[lane], others_[i - first_other_]));
+            colors.set(lane, color_of(*scene_, batch_->ray(lane), others_[i - first_other_]));
         }
     }
 }

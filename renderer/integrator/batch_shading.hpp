@@ -98,6 +98,8 @@ class BatchShading {
     void sent_by(const PreparedLight& light);
     void add_highlights();
     void leave_out_below_bent();
+    void begin_shadow_rays();
+
     const ShadingScene<T>* scene_;
     const ColumnLoops<T>* loops_;
     const RayBatch<T>* batch_ = nullptr;
@@ -130,7 +132,8 @@ class BatchShading {
     std::size_t lit_ = 0;
     std::size_t first_other_ = 0;
     std::size_t count_ = 0;
-    bool in_order_ = false;  ///< each entry at its ray's place in the batch
+    bool sorted_as_given_ = false;  ///< entries are in the order of their rays
+    bool in_order_ = false;         ///< each entry at its ray's place in the batch
     /// The rays of the hits.
     const Columns3<T>* from_ = nullptr;
     const Columns3<T>* direction_ = nullptr;

@@ -35,7 +35,7 @@ class BatchStages {
             case Stage::kLook:
                 if (!scene_->touching.empty()) {
                     for (std::size_t i = 0; i < rays_.size(); ++i) {
-                        cross_seams(*scene_, rays_.rays[i], hits_[i]);
+                        cross_seams(*scene_, rays_.ray(i), hits_[i]);
                     }
                 }
                 shading_.look(rays_, std::span<const Hit<T>>(hits_).first(rays_.size()));

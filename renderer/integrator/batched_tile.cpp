@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "renderer/wide/wide.hpp"
+
 namespace cobble::renderer {
 namespace {
 
@@ -17,9 +19,6 @@ constexpr std::size_t kFewestSamples = 64;
 /// Rays that a tree is meant to have, and that it may have before it is put aside.
 constexpr std::uint64_t kUsualRays = 1U << 15U;
 constexpr std::size_t kMostRays = 1U << 16U;
-
-/// Fewer rays that went the same way are no packet.
-constexpr std::size_t kFewestCoherent = 16;
 
 }  // namespace
 
@@ -103,7 +102,7 @@ void BatchedTile<T>::sort() {
     const std::size_t count = rays.size();
     order_.resize(count);
     ends_.fill(0);
-    if (count < kFewestCoherent) {
+    if (count < kFewestTogether) {
         std::iota(order_.begin(), order_.end(), 0U);
         ends_.back() = static_cast<std::uint32_t>(count);
         return;
@@ -140,7 +139,7 @@ void BatchedTile<T>::begin_turn_batch(TileWork& work) {
         const std::uint32_t end = ends_[(h + 1) * kLikePlaces - 1];
         if (end <= at_ + begin) continue;
         const std::size_t to = std::min(count, end - at_);
-        const bool alike = to - begin >= kFewestCoherent;
+        const bool alike = to - begin >= kFewestTogether;
         rays.end_stretch_at(to, alike ? Coherence::kCoherent : Coherence::kNone);
         begin = to;
         if (begin == count) break;

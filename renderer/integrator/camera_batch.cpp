@@ -75,6 +75,13 @@ std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
 
 template <typename T>
 void CameraBatch<T>::begin(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
+    begin_in_columns(tile, most, batch);
+    if (!batch.in_columns) return;
+    for (std::size_t i = 0; i < batch.size(); ++i) batch.rays[i] = batch.ray(i);
+}
+
+template <typename T>
+void CameraBatch<T>::begin_in_columns(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
     const std::size_t count = choose(tile, most);
     CameraColumns& c = *columns_;
     place_in_pixels();
@@ -84,12 +91,13 @@ void CameraBatch<T>::begin(const Tile& tile, std::size_t most, RayBatch<T>& batc
         // Origin and time are those of any ray.
         if (first_) {
             const Ray<T> any = camera_ray(*scene_, Sampler(0, 0, 0, 0), 0, 0).ray;
-            batch.rays.fill(any);
-            for (std::size_t i = 0; i < kBatchSize; ++i) batch.origin.set(i, any.origin);
+            for (std::size_t i = 0; i < kBatchSize; ++i) {
+                batch.origin.set(i, any.origin);
+                batch.time[i] = any.time;
+            }
         }
         first_ = false;
         loops_->through_pinhole(scene_->camera, c, batch.direction, count);
-        for (std::size_t i = 0; i < count; ++i) batch.rays[i].direction = batch.direction.at(i);
         batch.in_columns = true;
         return;
     }

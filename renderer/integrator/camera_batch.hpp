@@ -53,6 +53,8 @@ class CameraBatch {
     /// makes `rays` theirs, one stretch. The same batch each time: what all rays have in common
     /// stays in it.
     void begin(const Tile& tile, std::size_t most, RayBatch<T>& rays);
+    /// The same, but rays that are in columns are only there.
+    void begin_in_columns(const Tile& tile, std::size_t most, RayBatch<T>& rays);
     /// The next one to begin.
     [[nodiscard]] const SampleCursor& next() const { return next_; }
 

@@ -5,7 +5,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "renderer/film/accumulator.hpp"
 #include "renderer/integrator/quick_unit.hpp"
 #include "renderer/intersect/surface_forms.hpp"
 #include "renderer/sampling/sobol.hpp"
@@ -19,6 +18,8 @@
 #include <hwy/highway.h>
 
 #include "renderer/integrator/pixel_places-inl.hpp"
+#include "renderer/integrator/pixel_sums-inl.hpp"
+#include "renderer/integrator/shadow_rays-inl.hpp"
 #include "renderer/integrator/spread-inl.hpp"
 
 // All that a loop calls becomes part of it: a call left over would keep it from taking many at
@@ -351,78 +352,6 @@ COBBLE_LOOP void add_ambient(math::Vec3<T> ambient, const HitColumns<T>& hits, C
     }
 }
 
-template <class D, class V>
-HWY_INLINE hn::Vec<D> widened(D d, V v) {
-    if constexpr (sizeof(hn::TFromV<V>) == sizeof(double)) {
-        return v;
-    } else {
-        return hn::PromoteTo(d, v);
-    }
-}
-
-/// `pixels` pixels of a channel, sample by sample: those of all pixels side by side. Lanes that are
-/// left over repeat the last pixel.
-template <typename T>
-void turn(const T* colors, std::size_t samples, std::size_t pixels, std::size_t lanes, T* turned) {
-    for (std::size_t p = 0; p < lanes; ++p) {
-        const T* of_pixel = colors + (p < pixels ? p : pixels - 1) * samples;
-        for (std::size_t k = 0; k < samples; ++k) turned[k * lanes + p] = of_pixel[k];
-    }
-}
-
-/// CompensatedSum::add().
-template <class D, class V>
-HWY_INLINE void add_compensated(D d, V color, V& sum, V& rest) {
-    // A sample's colour is a sum that began with 0: no negative zero.
-    const V value = hn::Add(hn::Zero(d), color);
-    const V next = hn::Add(sum, value);
-    const V added = hn::Sub(next, sum);
-    rest = hn::Add(rest, hn::Add(hn::Sub(sum, hn::Sub(next, added)), hn::Sub(value, added)));
-    sum = next;
-}
-
-/// The sums of one sample each: nothing is lost.
-template <typename T>
-COBBLE_LOOP void begin_sums(const Columns3<T>& __restrict colors, std::size_t pixels,
-                            PixelSums& __restrict sums) {
-    for (std::size_t i = 0; i < pixels; ++i) {
-        sums.sum.set(i, math::Vec3d{} + colors.at(i).template to<double>());
-        sums.rest.set(i, {});
-    }
-}
-
-/// Pixels side by side, for the sum of one is a chain of additions: as many as a register holds.
-template <typename T>
-void sum_pixels(const Columns3<T>& colors, std::size_t samples, std::size_t pixels,
-                PixelSums& sums) {
-    if (samples == 1) return begin_sums(colors, pixels, sums);
-    const hn::CappedTag<double, 8> d;
-    const hn::Rebind<T, decltype(d)> of_color;
-    const std::size_t lanes = hn::Lanes(d);
-    alignas(kColumnAlignment) T x[8 * kBatchSize];
-    alignas(kColumnAlignment) T y[8 * kBatchSize];
-    alignas(kColumnAlignment) T z[8 * kBatchSize];
-    for (std::size_t first = 0; first < pixels; first += lanes) {
-        turn(colors.x + first * samples, samples, pixels - first, lanes, x);
-        turn(colors.y + first * samples, samples, pixels - first, lanes, y);
-        turn(colors.z + first * samples, samples, pixels - first, lanes, z);
-        const auto zero = hn::Zero(d);
-        auto sum_x = zero, sum_y = zero, sum_z = zero;
-        auto rest_x = zero, rest_y = zero, rest_z = zero;
-        for (std::size_t at = 0; at < samples * lanes; at += lanes) {
-            add_compensated(d, widened(d, hn::Load(of_color, x + at)), sum_x, rest_x);
-            add_compensated(d, widened(d, hn::Load(of_color, y + at)), sum_y, rest_y);
-            add_compensated(d, widened(d, hn::Load(of_color, z + at)), sum_z, rest_z);
-        }
-        hn::Store(sum_x, d, sums.sum.x + first);
-        hn::Store(sum_y, d, sums.sum.y + first);
-        hn::Store(sum_z, d, sums.sum.z + first);
-        hn::Store(rest_x, d, sums.rest.x + first);
-        hn::Store(rest_y, d, sums.rest.y + first);
-        hn::Store(rest_z, d, sums.rest.z + first);
-    }
-}
-
 template <typename T>
 COBBLE_LOOP bool all_finite(const Columns3<T>& values, std::size_t count) {
     constexpr T kMost = std::numeric_limits<T>::max();
@@ -452,6 +381,7 @@ const ColumnLoops<T>& loops() {
         ask_with_shadows_to_target<T>,
         ask_with_shadows_in_direction<T>,
         ask_without_shadows<T>,
+        begin_shadow_rays<T>,
         add_light<T>,
         scatter<false, T>,
         scatter<true, T>,

@@ -4,10 +4,13 @@
 // alone, in the same order, so that the bits are the same.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "renderer/camera/camera.hpp"
 #include "renderer/integrator/columns.hpp"
+#include "renderer/integrator/ray_batch.hpp"
 #include "renderer/shading/light.hpp"
 
 namespace cobble::renderer {
@@ -46,6 +49,13 @@ struct ColumnLoops {
     /// its direction.
     using Ask = void (*)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
     Ask ask_with_shadows_to_target, ask_with_shadows_in_direction, ask_without_shadows;
+
+    /// The rays to the light from hits whose share matters, side by side, all but their time; which
+    /// hits those are, and how many.
+    std::size_t (*begin_shadow_rays)(const SurfaceSlots<T>& slots, std::size_t slot_count,
+                                     const HitColumns<T>& hits, const LightColumns<T>& answers,
+                                     std::size_t count, RayBatch<T>& rays,
+                                     std::array<std::uint32_t, kBatchSize>& askers);
 
     /// Adds the shares that matter to the hits' light.
     void (*add_light)(HitColumns<T>& hits, const LightColumns<T>& answers, std::size_t count);

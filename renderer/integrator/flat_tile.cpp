@@ -35,7 +35,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
     RayBatch<T>& rays = batch_.rays();
-    camera_.begin(work.tile, most_, rays);
+    camera_.begin_in_columns(work.tile, most_, rays);
     work.counters.camera_rays += rays.size();
     batch_.begin();
     on_its_way_ = true;

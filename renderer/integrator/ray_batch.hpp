@@ -26,15 +26,42 @@ struct RayBatch {
     std::array<Ray<T>, kBatchSize>
         rays;  ///< and what they start on; those beyond `count` mean nothing
     std::array<Exclude, kBatchSize> excludes;
-    /// If `in_columns`: origins and directions once more.
+    /// If `in_columns` the rays are here, and maybe in `rays` too.
     Columns3<T> origin, direction;
+    alignas(kColumnAlignment) T time[kBatchSize];
     bool in_columns = false;
+    /// Rays in columns end, and start on something: then this counts. Else all have one origin.
+    bool bounded = false;
+    alignas(kColumnAlignment) T t_max[kBatchSize];
+    alignas(kColumnAlignment) std::uint32_t object[kBatchSize];
+    alignas(kColumnAlignment) std::uint32_t face[kBatchSize];
+    alignas(kColumnAlignment) std::int32_t outward[kBatchSize];  ///< 0: goes inside
     std::size_t count = 0;
     std::vector<Stretch> stretches;  ///< one after the other; the last one ends with the rays
     std::size_t asked = 0;           ///< so many of the first have their answers
 
     RayBatch() { stretches.reserve(kBatchSize); }
     [[nodiscard]] std::size_t size() const { return count; }
+    /// Those in columns.
+    [[nodiscard]] RayColumns<T> columns() const {
+        RayColumns<T> all{{origin.x, origin.y, origin.z},
+                          {direction.x, direction.y, direction.z},
+                          !bounded,
+                          nullptr,
+                          time,
+                          nullptr,
+                          nullptr,
+                          nullptr};
+        if (!bounded) return all;
+        all.t_max = t_max;
+        all.object = object;
+        all.face = face;
+        all.outward = outward;
+        return all;
+    }
+    [[nodiscard]] Ray<T> ray(std::size_t i) const {
+        return in_columns ? columns().ray(i) : rays[i];
+    }
     void clear() { begin(0); }
     /// Of so many rays, which are written then.
     void begin(std::size_t of) {
@@ -67,6 +94,10 @@ class Pace {
     bool closest(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<Hit<T>> hits,
                  Counters& counters) {
         return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
+            if (batch.in_columns) {
+                return closest_hits<T>(scene, batch.columns().from(at), hits.subspan(at, n),
+                                       counters, coherence);
+            }
             closest_hits<T>(scene, std::span<const Ray<T>>(batch.rays).subspan(at, n),
                             std::span<const Exclude>(batch.excludes).subspan(at, n),
                             hits.subspan(at, n), counters, coherence);
@@ -76,6 +107,10 @@ class Pace {
     bool any(const PreparedScene<T>& scene, RayBatch<T>& batch, std::span<Hit<T>> hits,
              Counters& counters) {
         return ask(batch, counters, [&](std::size_t at, std::size_t n, Coherence coherence) {
+            if (batch.in_columns) {
+                return any_hits<T>(scene, batch.columns().from(at), hits.subspan(at, n), counters,
+                                   coherence);
+            }
             any_hits<T>(scene, std::span<const Ray<T>>(batch.rays).subspan(at, n),
                         std::span<const Exclude>(batch.excludes).subspan(at, n),
                         hits.subspan(at, n), counters, coherence);

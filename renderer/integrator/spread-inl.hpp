@@ -32,9 +32,11 @@ void spread_one_by_one(const T* values, const std::int32_t* slot, T* of_hits, st
 
 /// One or two registers hold the values of all slots, mostly: a permutation, where a gather takes a
 /// load for each lane. Goes on to the ends of registers.
-inline void spread_column(const float* values, std::size_t slot_count, const std::int32_t* slot,
-                          float* of_hits, std::size_t first, std::size_t end) {
-    const hn::FixedTag<float, 16> d;
+template <typename T>
+void spread_column(const T* values, std::size_t slot_count, const std::int32_t* slot, T* of_hits,
+                   std::size_t first, std::size_t end) {
+    static_assert(sizeof(T) == 4);
+    const hn::FixedTag<T, 16> d;
     const hn::RebindToSigned<decltype(d)> di;
     constexpr std::size_t kLanes = 16;
     if (slot_count > kLanes) return spread_one_by_one(values, slot, of_hits, first, end);

@@ -55,6 +55,35 @@ void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
     }
 }
 
+template <typename T>
+void closest_hits(const PreparedScene<T>& scene, const RayColumns<T>& rays, std::span<Hit<T>> hits,
+                  Counters& counters, Coherence coherence) {
+    if (scene.options.acceleration == Acceleration::kFast) {
+        search_wide(WideQuery<T>{&scene.geometry, nullptr, nullptr, hits.size(), false,
+                                 coherence == Coherence::kCoherent, &rays},
+                    hits.data(), counters);
+        return;
+    }
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        hits[i] = closest_hit(scene, rays.ray(i), rays.exclude(i), counters);
+    }
+}
+
+template <typename T>
+void any_hits(const PreparedScene<T>& scene, const RayColumns<T>& rays, std::span<Hit<T>> hits,
+              Counters& counters, Coherence coherence) {
+    if (scene.options.acceleration == Acceleration::kFast) {
+        search_wide(WideQuery<T>{&scene.geometry, nullptr, nullptr, hits.size(), true,
+                                 coherence == Coherence::kCoherent, &rays},
+                    hits.data(), counters);
+        return;
+    }
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const bool any = any_hit(scene, rays.ray(i), rays.exclude(i), counters);
+        hits[i].object = any ? ir::ObjectId{0} : ir::ObjectId{};
+    }
+}
+
 #define COBBLE_INSTANTIATE(T)                                                                      \
     template void closest_hits(const PreparedScene<T>&, std::span<const Ray<T>>,                   \
                                std::span<const Exclude>, std::span<Hit<T>>, Counters&, Coherence); \
@@ -62,7 +91,11 @@ void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
                            std::span<const Exclude>, std::span<std::uint8_t>, Counters&,           \
                            Coherence);                                                             \
     template void any_hits(const PreparedScene<T>&, std::span<const Ray<T>>,                       \
-                           std::span<const Exclude>, std::span<Hit<T>>, Counters&, Coherence);
+                           std::span<const Exclude>, std::span<Hit<T>>, Counters&, Coherence);     \
+    template void closest_hits(const PreparedScene<T>&, const RayColumns<T>&, std::span<Hit<T>>,   \
+                               Counters&, Coherence);                                              \
+    template void any_hits(const PreparedScene<T>&, const RayColumns<T>&, std::span<Hit<T>>,       \
+                           Counters&, Coherence);
 COBBLE_INSTANTIATE(float)
 COBBLE_INSTANTIATE(double)
 #undef COBBLE_INSTANTIATE

@@ -36,4 +36,12 @@ void any_hits(const PreparedScene<T>& scene, std::span<const Ray<T>> rays,
               std::span<const Exclude> excludes, std::span<Hit<T>> hits, Counters& counters,
               Coherence coherence);
 
+/// The same of `hits.size()` rays in columns.
+template <typename T>
+void closest_hits(const PreparedScene<T>& scene, const RayColumns<T>& rays, std::span<Hit<T>> hits,
+                  Counters& counters, Coherence coherence);
+template <typename T>
+void any_hits(const PreparedScene<T>& scene, const RayColumns<T>& rays, std::span<Hit<T>> hits,
+              Counters& counters, Coherence coherence);
+
 }  // namespace cobble::renderer

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <tuple>
 #include <utility>
 
@@ -98,8 +99,11 @@ class Job final : public RenderJob {
         if (!complete_ && !cancelled()) {
             if (prepared(deadline)) {
                 const Clock::time_point render_start = Clock::now();
+                const std::clock_t processor_start = std::clock();
                 render_until(deadline);
                 render_seconds_ += seconds_since(render_start);
+                render_processor_seconds_ +=
+                    static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
             }
         }
         seconds_ += seconds_since(start);
@@ -123,7 +127,8 @@ class Job final : public RenderJob {
         stats.bad_sample_count = sum.bad_sample_count;
         stats.bad_samples = sum.bad_samples;
         // Until it has ended, the preparation's figures are still being written.
-        stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0}, {"render", render_seconds_}};
+        stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0, 0},
+                        {"render", render_seconds_, render_processor_seconds_}};
         stats.scene_bytes = prepared_ ? bytes_ : 0;
         if (prepared_) stats.notes = renderer_->notes();
         return stats;
@@ -229,6 +234,7 @@ class Job final : public RenderJob {
     std::uint64_t bytes_ = 0;
     double prepare_seconds_ = 0;
     double render_seconds_ = 0;
+    double render_processor_seconds_ = 0;
     double seconds_ = 0;
     bool complete_ = false;
     bool prepared_ = false;

@@ -43,6 +43,7 @@ struct BadSample {
 struct PhaseTime {
     std::string name;
     double seconds = 0;
+    double processor_seconds = 0;  ///< of all threads of the program; 0: not measured
 };
 
 struct Stats {

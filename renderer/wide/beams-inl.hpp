@@ -133,7 +133,8 @@ inline void gather_beams(Packet& p) {
     const auto slack = hn::Set(d, kFarSlack<float>);
     Extremes origin[3];
     for (std::size_t a = 0; a < 3; ++a) {
-        origin[a] = extremes_of(p.origin[a]);
+        const auto point = hn::Set(d, p.origin[a][0]);
+        origin[a] = p.one_origin ? Extremes{point, point} : extremes_of(p.origin[a]);
         // Least of (plane - o) * inverse: with a positive inverse the greatest origin gives the
         // least difference, with a negative one the least origin gives the greatest.
         const bool negative = p.negative[a];
@@ -146,8 +147,10 @@ inline void gather_beams(Packet& p) {
         spread_to_node(hn::Mul(inverse.least, slack), beams.least_far[a]);
         spread_to_node(hn::Mul(inverse.greatest, slack), beams.greatest_far[a]);
     }
-    spread_to_node(at_nodes(extremes_of(p.t_min)).least, beams.t_min);
-    spread_to_node(extremes_of(p.bound).greatest, beams.bound);
+    spread_to_node(p.starts_at_0 ? hn::Zero(d) : at_nodes(extremes_of(p.t_min)).least, beams.t_min);
+    spread_to_node(
+        p.endless ? hn::Set(d, std::numeric_limits<float>::max()) : extremes_of(p.bound).greatest,
+        beams.bound);
     spread_to_block(origin[p.kx], beams, 0);
     spread_to_block(origin[p.ky], beams, 1);
     spread_to_block(origin[p.kz], beams, 2);

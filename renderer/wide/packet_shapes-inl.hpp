@@ -30,7 +30,7 @@ HWY_INLINE void offer(const WideTree<float>& tree, Packet& p, std::size_t ray, f
     if (!(t > p.t_min[ray])) return;
     Hit<float>& best = p.best[ray];
     if constexpr (kAny) {
-        if (!(t < best.t)) return;
+        if (!(t < p.bound[ray])) return;
         best.object = object;
         p.bound[ray] = std::numeric_limits<float>::lowest();
         p.least[ray] = p.bound[ray];
@@ -293,7 +293,7 @@ template <bool kAny>
 HWY_NOINLINE void test_box_slot(const Geometry<float>& g, const WideNode<float>& node,
                                 std::size_t slot, Packet& p, std::size_t ray) {
     settle(g.wide, p, ray);
-    Search<float> search = begin_search(p, ray);
+    Search<float> search = begin_search<kAny>(p, ray);
     test_box(forms_of(p, ray), slot_bounds(node, slot), box_object(node.child[slot]), search);
     p.primitive_tests += 1;
     end_search<kAny>(search, p, ray);
@@ -327,7 +327,7 @@ HWY_INLINE void test_box_group(const Geometry<float>& g, const WideNode<float>& 
         const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(rays);
         rays &= rays - 1;
         const std::size_t ray = at + i;
-        const Exclude& exclude = p.excludes[ray];
+        const Exclude exclude = exclude_of(p, ray);
         const bool left = object == exclude.object;
         if (left && !exclude.goes_inside) continue;
         if (HWY_UNLIKELY(left || (sure_bits >> i & 1) == 0)) {

@@ -47,7 +47,7 @@ HWY_NOINLINE void meet(const WideTree<float>& tree, Packet& p, std::size_t ray,
                        std::uint32_t triangle) {
     const auto one = lane_of(tree.triangles[triangle / kBlockLanes], triangle % kBlockLanes);
     if (!kAny) settle(tree, p, ray);
-    Search<float> search = begin_search(p, ray);
+    Search<float> search = begin_search<kAny>(p, ray);
     test_triangle(forms_of(p, ray), one.vertices, one.object, one.face, search);
     end_search<kAny>(search, p, ray);
 }
@@ -137,7 +137,7 @@ HWY_INLINE bool test_triangle_group(const WideTree<float>& tree, std::uint32_t i
 template <bool kAny>
 HWY_NOINLINE void test_others(const Geometry<float>& g, ChildRef at, Packet& p, std::size_t ray) {
     settle(g.wide, p, ray);
-    Search<float> search = begin_search(p, ray);
+    Search<float> search = begin_search<kAny>(p, ray);
     test_leaf<kAny>(g, at, forms_of(p, ray), search);
     p.primitive_tests += search.primitive_tests;
     end_search<kAny>(search, p, ray);
@@ -147,7 +147,7 @@ template <bool kAny>
 void test_planes(const Geometry<float>& g, Packet& p) {
     for (const MovingPrimitive& plane : g.planes) {
         for (std::size_t ray = 0; ray < p.count; ++ray) {
-            Search<float> search = begin_search(p, ray);
+            Search<float> search = begin_search<kAny>(p, ray);
             test_plane(g, forms_of(p, ray), plane, search);
             end_search<kAny>(search, p, ray);
         }

@@ -34,18 +34,31 @@ inline TrianglePrimitive<float> lane_of(const TriangleBlock<float>& block, std::
     return triangle;
 }
 
-/// The shear of a ray, from what the packet has of it.
-inline RayShear<float> shear_of(const Packet& p, std::size_t ray) {
-    return {p.rays[ray].origin, p.rays[ray].direction, p.kx, p.ky, p.kz, p.sx[ray], p.sy[ray]};
+/// A ray's numbers along the axes.
+inline math::Vec3<float> ray_row(const float (&rows)[3][kPacketRays], std::size_t ray) {
+    return {rows[0][ray], rows[1][ray], rows[2][ray]};
 }
 
-/// What a single test asks and answers.
+inline Exclude exclude_of(const Packet& p, std::size_t ray) {
+    return {ir::ObjectId{p.excluded_object[ray]}, p.excluded_face[ray],
+            p.excluded_closed[ray] != p.excluded_object[ray]};
+}
+
+/// The shear of a ray, from what the packet has of it.
+inline RayShear<float> shear_of(const Packet& p, std::size_t ray) {
+    return {
+        ray_row(p.origin, ray), ray_row(p.direction, ray), p.kx, p.ky, p.kz, p.sx[ray], p.sy[ray]};
+}
+
+/// What a single test asks and answers. Of any hit the bound alone says where a ray ends.
+template <bool kAny>
 inline Search<float> begin_search(const Packet& p, std::size_t ray) {
     Search<float> search;
     search.best = p.best[ray];
+    if (kAny) search.best.t = p.bound[ray];
     search.t_min = p.t_min[ray];
-    search.time = p.rays[ray].time;
-    search.exclude = p.excludes[ray];
+    search.time = p.times[ray * p.time_step];
+    search.exclude = exclude_of(p, ray);
     return search;
 }
 
@@ -59,10 +72,8 @@ inline void end_search(const Search<float>& search, Packet& p, std::size_t ray) 
 }
 
 inline RayForms<float> forms_of(const Packet& p, std::size_t ray) {
-    const auto row = [ray](const float(&rows)[3][kPacketRays]) {
-        return math::Vec3<float>{rows[0][ray], rows[1][ray], rows[2][ray]};
-    };
-    return {{p.rays[ray].origin, row(p.inverse), row(p.inverse_far)}, shear_of(p, ray)};
+    return {{ray_row(p.origin, ray), ray_row(p.inverse, ray), ray_row(p.inverse_far, ray)},
+            shear_of(p, ray)};
 }
 
 /// Computes t, u and v of the triangle that is ahead, if there is one.
@@ -92,10 +103,12 @@ HWY_INLINE std::uint32_t waiting_rays(const Packet& p, std::size_t group) {
     return bits_of(du, hn::Ne(ahead, hn::Set(du, Packet::kNoTriangle)));
 }
 
-/// The corners of the triangles that wait for a group's rays: corner, axis, ray. Neighbours mostly
-/// wait for the same one. Lanes that none waits for have whatever comes first.
+/// The triangles that wait for a group's rays: corner, axis, ray; and whose they are. Neighbours
+/// mostly wait for the same one. Lanes that none waits for have whatever comes first.
 struct CornersOfGroup {
     alignas(64) float at[3][3][Packet::kLanes];
+    alignas(64) std::uint32_t object[Packet::kLanes];
+    alignas(64) std::uint32_t face[Packet::kLanes];
 };
 HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std::size_t group,
                                std::uint32_t waiting, CornersOfGroup& corners) {
@@ -103,6 +116,8 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
     const hn::RebindToUnsigned<Packet::D> du;
     const auto ahead = hn::Load(du, p.ahead + group * Packet::kLanes);
     hn::Vec<Packet::D> c[3][3];
+    auto object = ahead;
+    auto face = ahead;
     const auto each = [&](auto what) HWY_ATTR {
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t axis = 0; axis < 3; ++axis) what(i, axis);
@@ -117,6 +132,8 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
         const std::size_t lane = one % kBlockLanes;
         const auto same = hn::Eq(ahead, hn::Set(du, one));
         waiting &= ~bits_of(du, same);
+        object = hn::IfThenElse(same, hn::Set(du, block.object[lane].value), object);
+        face = hn::IfThenElse(same, hn::Set(du, block.face[lane]), face);
         if (some) {
             const auto mask = hn::RebindMask(d, same);
             each([&](std::size_t i, std::size_t axis) HWY_ATTR {
@@ -131,6 +148,8 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
     }
     each([&](std::size_t i, std::size_t axis)
              HWY_ATTR { hn::Store(c[i][axis], d, corners.at[i][axis]); });
+    hn::Store(object, du, corners.object);
+    hn::Store(face, du, corners.face);
 }
 
 /// settle() of all rays: the same arithmetic, a lane each. Every lane of a group is computed, those
@@ -197,9 +216,20 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
         const Vectors direction = of_ray(p.direction);
         const V along = product(normal, direction);
         const V t = hn::Div(product(normal, minus(p0, of_ray(p.origin))), along);
-        alignas(64) float ts[kLanes], us[kLanes], vs[kLanes];
-        hn::Store(hn::DemoteTo(df, t), df, ts);
-        hn::Store(hn::DemoteTo(df, hn::Div(v, det)), df, us);
+        const auto near = hn::Load(df, p.least + at);
+        const auto far = hn::Load(df, p.bound + at);
+        // clamp_to()
+        auto ts = hn::DemoteTo(df, t);
+        ts = hn::IfThenElse(hn::Lt(ts, near), near, hn::IfThenElse(hn::Gt(ts, far), far, ts));
+        const auto number_of = [&](const std::uint32_t* numbers) HWY_ATTR {
+            return hn::BitCast(df,
+                               hn::Load(hn::RebindToUnsigned<decltype(df)>(), numbers + in_group));
+        };
+        // A hit's first four numbers side by side.
+        alignas(64) float first_four[4 * kLanes];
+        alignas(64) float vs[kLanes];
+        hn::StoreInterleaved4(ts, number_of(corners.object), number_of(corners.face),
+                              hn::DemoteTo(df, hn::Div(v, det)), df, first_four);
         hn::Store(hn::DemoteTo(df, hn::Div(w, det)), df, vs);
         const std::uint32_t edge_on = bits_of(d, hn::Eq(along, hn::Zero(d)));
         for (std::uint32_t left = waiting >> in_group & ((1U << kLanes) - 1); left != 0;
@@ -210,11 +240,10 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
                 settle(tree, p, ray);
                 continue;
             }
-            const std::uint32_t ahead = p.ahead[ray];
-            const TriangleBlock<float>& block = tree.triangles[ahead / kBlockLanes];
-            const Span<float> span{p.least[ray], p.bound[ray]};
-            p.best[ray] = {clamp_to(span, ts[i]), block.object[ahead % kBlockLanes],
-                           block.face[ahead % kBlockLanes], us[i], vs[i]};
+            static_assert(offsetof(Hit<float>, v) == 4 * sizeof(float));
+            const hn::FixedTag<float, 4> four;
+            hn::StoreU(hn::Load(four, first_four + 4 * i), four, &p.best[ray].t);
+            p.best[ray].v = vs[i];
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "renderer/wide/wide.hpp"
 
 #include <algorithm>
+#include <array>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/wide/wide.cpp"
@@ -18,8 +19,23 @@ namespace cobble::renderer::HWY_NAMESPACE {
 template <bool kAny, typename T>
 void search_singly(const WideQuery<T>& q, std::size_t first, std::size_t count, Hit<T>* hits,
                    Counters& counters) {
-    search_singly<kAny>(*q.geometry, q.rays + first, q.excludes + first, count, hits + first,
-                        counters);
+    if (q.rays != nullptr) {
+        search_singly<kAny>(*q.geometry, q.rays + first, q.excludes + first, count, hits + first,
+                            counters);
+        return;
+    }
+    constexpr std::size_t kAtOnce = 64;
+    std::array<Ray<T>, kAtOnce> rays;
+    std::array<Exclude, kAtOnce> excludes;
+    for (const std::size_t end = first + count; first < end; first += kAtOnce) {
+        const std::size_t some = std::min(kAtOnce, end - first);
+        for (std::size_t i = 0; i < some; ++i) {
+            rays[i] = q.columns->ray(first + i);
+            excludes[i] = q.columns->exclude(first + i);
+        }
+        search_singly<kAny>(*q.geometry, rays.data(), excludes.data(), some, hits + first,
+                            counters);
+    }
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -35,15 +51,22 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
     // After a packet that fell apart, so many others of the call are not tried.
     constexpr std::size_t kPause = 7;
     std::size_t pause = 0;
-    for (std::size_t first = 0; first < q.count; first += kPacketRays) {
-        const std::size_t count = std::min(kPacketRays, q.count - first);
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < q.count; first += count) {
+        count = std::min(kPacketRays, q.count - first);
         if (pause > 0) {
             --pause;
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }
-        if (count < kFewestTogether ||
-            !gather(q.rays + first, q.excludes + first, count, hits + first, packet)) {
+        std::size_t alike = 0;
+        if (count >= kFewestTogether) alike = gather<kAny>(q, first, count, hits + first, packet);
+        // The next packet begins with the first ray that goes another way.
+        while (alike >= kFewestTogether && alike < count) {
+            count = alike;
+            alike = gather<kAny>(q, first, count, hits + first, packet);
+        }
+        if (alike < kFewestTogether) {
             search_singly<kAny>(q, first, count, hits, counters);
             continue;
         }

@@ -13,9 +13,10 @@ namespace cobble::renderer {
 /// Coherent rays that are fewer than this are searched one by one: a packet is not worth beginning.
 inline constexpr std::size_t kFewestTogether = 16;
 
-/// `count` rays against a scene prepared for the fast core. With `any` a ray ends at the first hit
-/// in its interval, whichever it is, and only `object` has a meaning. `coherent`: neighbours in the
-/// array go much the same way; a wrong word costs time, never an answer.
+/// `count` rays, in an array or in columns, against a scene prepared for the fast core. With `any`
+/// a ray ends at the first hit in its interval, whichever it is, and only `object` has a meaning.
+/// `coherent`: neighbours in the array go much the same way; a wrong word costs time, never an
+/// answer.
 template <typename T>
 struct WideQuery {
     const Geometry<T>* geometry = nullptr;
@@ -24,6 +25,8 @@ struct WideQuery {
     std::size_t count = 0;
     bool any = false;
     bool coherent = false;
+    const RayColumns<T>* columns =
+        nullptr;  ///< the rays and what they leave out, if `rays` is null
 };
 
 void search_wide(const WideQuery<float>& query, Hit<float>* hits, Counters& counters);

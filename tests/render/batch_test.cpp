@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -93,6 +95,85 @@ void check_batches(const ir::Scene& scene) {
 }
 
 }  // namespace
+
+TEST_CASE("rays in columns have the answers of the same rays in an array") {
+    SceneBuilder b = everything();
+    const ir::Scene scene = b.scene();
+    renderer::PrepareOptions options;
+    options.acceleration = Acceleration::kFast;
+    const auto prepared = renderer::prepare<float>(scene, options);
+    const auto middle = prepared.to_local({0, 2, 8});
+    constexpr std::size_t kMost = 150;
+    std::uint32_t state = 1;
+    const auto random = [&state] {
+        state = state * 1664525U + 1013904223U;
+        return static_cast<float>(state >> 8U) / float(1U << 24U);
+    };
+    struct Numbers {
+        std::array<float, kMost> x, y, z;
+    } origin{}, direction{};
+    std::array<float, kMost> t_max{}, time{};
+    std::array<std::uint32_t, kMost> object{}, face{};
+    std::array<std::int32_t, kMost> outward{};
+    const auto about_0 = [&] { return random() - 0.5F; };
+    for (std::size_t i = 0; i < kMost; ++i) {
+        // Some go the other way, so that a packet ends before them.
+        const float turn = i < 100 ? 1.0F : -1.0F;
+        origin.x[i] = middle.x + 0.1F * about_0();
+        origin.y[i] = middle.y + 0.1F * about_0();
+        origin.z[i] = middle.z;
+        direction.x[i] = turn * (0.3F + 0.5F * about_0());
+        direction.y[i] = -0.25F + 0.4F * about_0();
+        direction.z[i] = -1;
+        t_max[i] = i % 3 == 0 ? 12 * (0.5F + about_0()) : std::numeric_limits<float>::infinity();
+        time[i] = 0.5F + about_0();
+        object[i] = i % 5 == 0 ? static_cast<std::uint32_t>(i % 6) : ir::ObjectId::kNone;
+        outward[i] = i % 2 == 0 ? 0 : 1;
+    }
+    renderer::RayColumns<float> columns{
+        {origin.x.data(), origin.y.data(), origin.z.data()},
+        {direction.x.data(), direction.y.data(), direction.z.data()},
+        false,
+        t_max.data(),
+        time.data(),
+        object.data(),
+        face.data(),
+        outward.data()};
+    for (const bool bounded : {true, false}) {
+        if (!bounded) {
+            columns.t_max = nullptr;
+            columns.object = nullptr;
+            columns.one_origin = true;
+            origin.x.fill(middle.x);
+            origin.y.fill(middle.y);
+            origin.z.fill(middle.z);
+        }
+        for (const std::size_t first : {0U, 5U, 64U}) {
+            for (const std::size_t count : {1U, 16U, 17U, 40U, 64U, 80U, 86U}) {
+                const auto rest = columns.from(first);
+                std::vector<renderer::Hit<float>> closest(count + 1), any(count + 1);
+                closest[count].t = any[count].t = -5;
+                renderer::Counters counters;
+                renderer::closest_hits<float>(prepared, rest, std::span(closest).first(count),
+                                              counters, renderer::Coherence::kCoherent);
+                renderer::any_hits<float>(prepared, rest, std::span(any).first(count), counters,
+                                          renderer::Coherence::kCoherent);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const auto hit = closest_hit(prepared, rest.ray(i), rest.exclude(i), counters);
+                    CHECK(any[i].object.valid() == hit.object.valid());
+                    CHECK(closest[i].object == hit.object);
+                    if (!hit) continue;
+                    CHECK(closest[i].t == hit.t);
+                    CHECK(closest[i].face == hit.face);
+                    CHECK(closest[i].u == hit.u);
+                    CHECK(closest[i].v == hit.v);
+                }
+                CHECK(closest[count].t == -5);
+                CHECK(any[count].t == -5);
+            }
+        }
+    }
+}
 
 TEST_CASE("a batch of rays has the answers of its rays") {
     SceneBuilder b = everything();

@@ -58,6 +58,7 @@ Program cobble_program(const std::string& executable, bool reference) {
                 phases.prepare += seconds;
             } else if (name == "render") {
                 phases.render += seconds;
+                phases.render_cpu = phase.value("processor_seconds", 0.0);
             } else if (name != "write") {
                 phases.parse += seconds;
             }

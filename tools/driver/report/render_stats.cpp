@@ -31,7 +31,12 @@ std::string stats_to_json(const RenderStats& render) {
     add("read", render.loaded.read_seconds);
     add("check", render.loaded.check_seconds);
     add("lower", render.loaded.lower_seconds);
-    for (const renderer::PhaseTime& phase : stats.phases) add(phase.name, phase.seconds);
+    for (const renderer::PhaseTime& phase : stats.phases) {
+        add(phase.name, phase.seconds);
+        if (phase.processor_seconds > 0) {
+            phases.back()["processor_seconds"] = phase.processor_seconds;
+        }
+    }
     add("write", render.write_seconds);
 
     Positions positions(render.loaded.session->sources);
