@@ -57,6 +57,15 @@ struct WaitingChild<float> {
     [[nodiscard]] bool operator<(const WaitingChild& other) const { return bits < other.bits; }
 };
 
+/// The child in the lowest of the slots in `bits`, which it is taken out of.
+template <typename T>
+HWY_INLINE WaitingChild<T> take_child(const WideNode<T>& node, const NodeSpans<T>& spans,
+                                      std::uint32_t& bits) {
+    const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+    bits &= bits - 1;
+    return {spans.begins[slot], node.child[slot]};
+}
+
 /// Walks one tree, the nearest child first; `leaf(child)` is asked for each leaf that may hold a
 /// better hit.
 template <bool kParallel, typename T, typename Boxes, typename Leaf>
@@ -79,21 +88,16 @@ HWY_INLINE void walk_nearest_first(const WideTree<T>& tree, Boxes boxes, const R
                                                       search.best.t, spans);
             bits = boxes.template test<false, T>(node, bits, spans, forms, search);
             if (bits != 0) {
-                const auto take = [&]() HWY_ATTR {
-                    const auto slot = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-                    bits &= bits - 1;
-                    return Waiting(spans.begins[slot], node.child[slot]);
-                };
-                const Waiting first = take();
+                const Waiting first = take_child(node, spans, bits);
                 at = first.to();
                 if (bits == 0) continue;
-                const Waiting second = take();
+                const Waiting second = take_child(node, spans, bits);
                 const bool swapped = second < first;
                 Waiting nearest = swapped ? second : first;
                 Waiting* const base = top;
                 *top++ = swapped ? first : second;
                 while (bits != 0) {
-                    Waiting next = take();
+                    const Waiting next = take_child(node, spans, bits);
                     const bool nearer = next < nearest;
                     const Waiting other = nearer ? nearest : next;
                     nearest = nearer ? next : nearest;
