@@ -10,8 +10,8 @@
 
 namespace cobble::renderer {
 
-/// `bytes` at a multiple of `alignment`, in large pages from half a large page on; throws
-/// std::bad_alloc. What is asked for in large pages takes whole ones.
+/// `bytes` at a multiple of `alignment`; from half a large page on in large pages, and then in
+/// whole ones, where the system can be asked for them (Linux). Throws std::bad_alloc.
 void* allocate_large(std::size_t bytes, std::size_t alignment);
 /// With the values it was allocated with.
 void free_large(void* memory, std::size_t bytes, std::size_t alignment) noexcept;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Memory for trees: where it begins, and that too much of it is refused.
 #include "renderer/accel/large_pages.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -17,27 +20,32 @@ namespace {
 using Node = renderer::WideNode<float>;
 using Nodes = renderer::LargeVector<Node>;
 
-template <std::size_t kAlignment>
-bool is_aligned(const void* memory) {
-    return reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
-}
-
-constexpr std::size_t kPage = std::size_t{2} << 20;
-
 }  // namespace
 
-TEST_CASE("memory for trees is aligned, small or in large pages") {
-    for (const std::size_t bytes : {sizeof(Node), kPage / 4, kPage / 2 + sizeof(Node), 3 * kPage}) {
-        CAPTURE(bytes);
-        const Nodes nodes(bytes / sizeof(Node));
-        CHECK(is_aligned<alignof(Node)>(nodes.data()));
-        if (bytes >= kPage / 2 + sizeof(Node)) CHECK(is_aligned<kPage>(nodes.data()));
+TEST_CASE("memory of any size is aligned, and written to its end") {
+    constexpr std::size_t kMiB = std::size_t{1} << 20;
+    for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{224}, kMiB - 1,
+                                    kMiB, 2 * kMiB, 2 * kMiB + 1, 5 * kMiB}) {
+        for (const std::size_t alignment : {std::size_t{16}, std::size_t{32}, std::size_t{64}}) {
+            CAPTURE(bytes);
+            void* const memory = renderer::allocate_large(bytes, alignment);
+            CHECK(reinterpret_cast<std::uintptr_t>(memory) % alignment == 0);
+            std::memset(memory, 1, bytes);
+            renderer::free_large(memory, bytes, alignment);
+        }
+    }
+}
+
+TEST_CASE("more memory than can be counted is refused") {
+    constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
+    for (const std::size_t less : {0U, 1U, 63U, 1U << 20U}) {
+        CHECK_THROWS_AS(renderer::allocate_large(kMost - less, 64), std::bad_alloc);
     }
 }
 
 TEST_CASE("a tree that grows from small memory into large pages keeps what it holds") {
     Nodes nodes;
-    for (std::size_t i = 0; i < 3 * kPage / sizeof(Node); ++i) {
+    for (std::size_t i = 0; i < (std::size_t{6} << 20U) / sizeof(Node); ++i) {
         nodes.emplace_back().bounds[0][i % Node::kWidth] = static_cast<float>(i);
     }
     std::size_t wrong = 0;
