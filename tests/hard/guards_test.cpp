@@ -3,8 +3,10 @@
 // comes to. Each of these was seen to pass through its guard.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "renderer/stability/exact.hpp"
@@ -44,6 +46,91 @@ TEST_CASE("spheres are met along directions of any length") {
     }
     CHECK(hits_of(cores) == cores.rays.size());
     CHECK(cores.differences() == "");
+}
+
+TEST_CASE("no sphere that a packet puts aside in float is one that a ray meets") {
+    // Of any size, as far away as may be, from outside, from its surface and from within, past its
+    // outline or beyond the ray's end by a few roundings, along directions of any length.
+    Random random(7);
+    const auto power = [&](int most) {
+        const auto range = static_cast<std::uint32_t>(2 * most + 1);
+        const int to = static_cast<int>(random.below(range)) - most;
+        return std::ldexp(random.in(1, 2), to);
+    };
+    const auto few_roundings = [&] {
+        const int least = static_cast<int>(random.below(30));
+        const double off = std::ldexp(random.in(-1, 1), -least);
+        return random.below(4) == 0 ? 0 : off;
+    };
+    std::size_t hits = 0;
+    std::size_t asked = 0;
+    for (int scene = 0; scene < 400; ++scene) {
+        SceneMaker make;
+        const double size = power(scene % 2 == 0 ? 4 : 60);
+        const Vec3d place = random.point(random.below(2) == 0 ? 0 : size * power(20));
+        for (int i = 0; i < 3; ++i) {
+            const Vec3d middle = place + random.point(size * power(3));
+            make.sphere(middle, size * power(random.below(2) == 0 ? 0 : 20));
+        }
+        Questions<float> cores(make.scene);
+        if (cores.reference.geometry.spheres.empty()) continue;
+        const auto& sphere = cores.reference.geometry.spheres[0];
+        const Vec3d center = sphere.center.to<double>();
+        const double r = double{sphere.radius};
+        for (int bundle = 0; bundle < 6; ++bundle) {
+            const Vec3d out = math::normalize(random.point(1));
+            const Vec3d aside = math::normalize(math::cross(out, random.point(1)));
+            const double far = random.below(3) == 0 ? 1 + few_roundings() : power(25);
+            const double length = power(random.below(2) == 0 ? 0 : 59);
+            const std::uint32_t aim = random.below(4);
+            for (int i = 0; i < 64; ++i) {
+                renderer::Ray<float> ray;
+                const Vec3d from = center + out * (r * (far + few_roundings()));
+                // Past the outline, through the middle, anywhere, or away.
+                const double rim = std::sqrt(std::max(0.0, 1 - 1 / (far * far)));
+                Vec3d target = center + aside * (r * rim * (1 + few_roundings()));
+                if (far > 1) target = target + out * (r / far);
+                if (aim == 1) target = center + aside * (r * few_roundings());
+                if (aim == 2) target = center + random.point(r);
+                Vec3d way = target - from;
+                if (aim == 3) way = way * -1.0;
+                if (way == Vec3d{}) continue;
+                way = math::normalize(way);
+                ray.origin = from.to<float>();
+                ray.direction = (way * (length * random.in(1, 2))).to<float>();
+                const Vec3d d = ray.direction.to<double>();
+                const Vec3d f = ray.origin.to<double>() - center;
+                if (random.below(2) == 0) {
+                    // About where it meets the sphere, or comes nearest to it.
+                    const double a = math::dot(d, d);
+                    const double b = -math::dot(f, d);
+                    const double rest = b * b - a * (math::dot(f, f) - r * r);
+                    const double root = rest > 0 ? std::sqrt(rest) : 0;
+                    const double t = (b + (random.below(3) == 0 ? root : -root)) / a;
+                    const double end = t * (1 + few_roundings());
+                    if (end > 0 && end < 1e38) ray.t_max = static_cast<float>(end);
+                }
+                renderer::Exclude exclude;
+                if (random.below(3) == 0) {
+                    exclude = {ir::ObjectId{random.below(3)}, 0, random.below(2) == 0};
+                }
+                const float most = std::numeric_limits<float>::max();
+                bool sound = ray.direction.x != 0 || ray.direction.y != 0 || ray.direction.z != 0;
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    sound = sound && std::fabs(ray.origin[axis]) <= most &&
+                            std::fabs(ray.direction[axis]) <= most;
+                }
+                if (!sound) continue;
+                cores.ask(ray, exclude);
+            }
+        }
+        CAPTURE(scene);
+        CHECK(cores.differences() == "");
+        hits += hits_of(cores);
+        asked += cores.rays.size();
+    }
+    CHECK(hits > asked / 8);
+    CHECK(hits < asked);
 }
 
 TEST_CASE("a packet's slopes that vanish are none") {
