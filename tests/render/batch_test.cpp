@@ -268,6 +268,28 @@ TEST_CASE("batches and single rays draw one picture, of trees too big to be kept
     CHECK(r.stats.counters.rays() > 500000);
 }
 
+TEST_CASE("trees too big to be kept whole, lit by a light with a size, put down at every stage") {
+    // What a light draws hangs on the whole path, also where only its end was taken up again.
+    SceneBuilder b;
+    b.background({0.3, 0.5, 0.9});
+    b.material({0.4, 0.5, 0.6}, {0.9, 0.8, 0.9}, 0, 1.5);
+    for (int i = 0; i < 3; ++i) b.box({-50, -50, -2.0 * i - 1}, {50, 50, -2.0 * i});
+    b.sphere({0.5, 0, -8}, 2);
+    b.point_light({1, 2, 3}, {5, 5, 5}, 0.5);
+    renderer::Settings s = settings(3, 3, 7);
+    s.bounces = 16;
+    s.acceleration = Acceleration::kBvh;
+    const Rendered reference = render(b.scene(), s);
+    s.acceleration = Acceleration::kFast;
+    // Deadlines that are over before they begin.
+    const Rendered fast = render(b.scene(), s, 1, -1);
+    CHECK(same(reference.picture, fast.picture));
+    CHECK(same_rays(reference.stats.counters, fast.stats.counters));
+    // Of a run of 63 samples; several times as many as one tree may have.
+    CHECK(reference.stats.counters.rays() - reference.stats.counters.shadow_rays > 200000);
+    CHECK(reference.stats.counters.shadow_rays > 50000);
+}
+
 TEST_CASE("batches and single rays draw one picture, whatever is switched off") {
     SceneBuilder b = everything();
     renderer::Settings s = full(24, 18, 2);
