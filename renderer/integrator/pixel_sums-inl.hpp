@@ -14,6 +14,7 @@
 #include <cstddef>
 
 #include "renderer/integrator/columns.hpp"
+#include "renderer/wide/transpose-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
@@ -68,7 +69,6 @@ template <class D, class V>
 HWY_INLINE void turn_four(D d, const float* colors, std::size_t step, std::size_t pixels,
                           V* turned) {
     constexpr std::size_t kBlocks = hn::MaxLanes(D()) / 4;
-    const hn::Repartition<double, D> pairs;
     const auto row = [&](std::size_t p) HWY_ATTR {
         const auto of = [&](std::size_t pixel) HWY_ATTR {
             return colors + (pixel < pixels ? pixel : pixels - 1) * step;
@@ -80,15 +80,7 @@ HWY_INLINE void turn_four(D d, const float* colors, std::size_t step, std::size_
             return hn::LoadU(d, of(p));
         }
     };
-    const V r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
-    const auto low = hn::BitCast(pairs, hn::InterleaveLower(d, r0, r1));
-    const auto low2 = hn::BitCast(pairs, hn::InterleaveLower(d, r2, r3));
-    const auto high = hn::BitCast(pairs, hn::InterleaveUpper(d, r0, r1));
-    const auto high2 = hn::BitCast(pairs, hn::InterleaveUpper(d, r2, r3));
-    turned[0] = hn::BitCast(d, hn::InterleaveLower(pairs, low, low2));
-    turned[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, low, low2));
-    turned[2] = hn::BitCast(d, hn::InterleaveLower(pairs, high, high2));
-    turned[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, high, high2));
+    transpose_fours(d, row(0), row(1), row(2), row(3), turned);
 }
 
 /// sum_pixels() of whole fours of samples, as many pixels side by side as `D` has lanes.

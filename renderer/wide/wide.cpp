@@ -10,6 +10,7 @@
 // Behind foreach_target.h, as Highway wants it.
 #include "renderer/wide/single-inl.hpp"
 #if HWY_TARGET != HWY_SCALAR
+#include "renderer/wide/gather-inl.hpp"
 #include "renderer/wide/packet_walk-inl.hpp"
 #endif
 
