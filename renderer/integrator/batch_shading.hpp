@@ -30,7 +30,7 @@ bool color_tells_all(const ShadingScene<T>& scene, const Settings& settings) {
            !settings.want_normals && !settings.want_albedo;
 }
 
-/// Memory: some 40 kB in single precision.
+/// Memory: in single precision some 80 kB, and 15 more where rays go on from surfaces.
 template <typename T>
 class BatchShading {
   public:
@@ -70,8 +70,8 @@ class BatchShading {
     /// What scatter() sends on from each surface; `carried` by the ray's place in the batch. False
     /// if nothing is.
     bool scatter(const Carried<T>* carried);
-    /// Appends those of the batch's children that matter, unless it is of the last turn; there is
-    /// room for all and one more.
+    /// Appends those of the batch's children of a kind that matter, none if its effect is off;
+    /// there must be room for all and one more. After a scatter() that said true.
     void append_children(RayKind kind, const Carried<T>* carried, PendingRays<T>& to) const;
 
   private:

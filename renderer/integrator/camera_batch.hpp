@@ -20,7 +20,6 @@ namespace cobble::renderer {
 
 /// Goes over a tile's samples.
 struct SampleCursor {
-    std::uint64_t number = 0;  ///< of all
     std::uint64_t pixel = 0;
     std::uint32_t sample = 0;  ///< of the pixel
     PixelInBlock found;        ///< the pixel
@@ -30,7 +29,6 @@ struct SampleCursor {
     [[nodiscard]] bool at_end(const Tile& tile) const { return pixel >= tile.pixels(); }
     /// By `count` samples of the pixel, at most as many as it still has.
     void advance(const Tile& tile, std::uint32_t samples_per_pixel, std::uint32_t count = 1) {
-        number += count;
         sample += count;
         if (sample < samples_per_pixel) return;
         sample = 0;
@@ -55,8 +53,6 @@ class CameraBatch {
     void begin(const Tile& tile, std::size_t most, RayBatch<T>& rays);
     /// The same, but rays that are in columns are only there.
     void begin_in_columns(const Tile& tile, std::size_t most, RayBatch<T>& rays);
-    /// The next one to begin.
-    [[nodiscard]] const SampleCursor& next() const { return next_; }
 
     // Of the samples begun last, by their place in the batch.
     [[nodiscard]] PixelPlace place(std::size_t i) const {
