@@ -5,139 +5,22 @@
 #include <bit>
 #include <cstddef>
 
-#include "renderer/intersect/surface_forms.hpp"
-#include "renderer/scene/shape_bounds.hpp"
 #include "renderer/shading/fresnel.hpp"
 #include "renderer/shading/phong.hpp"
 
 namespace cobble::renderer {
-namespace {
-
-/// What surface_at() and look_at_surface() say of it depends on the hit and its colour alone.
-template <typename T>
-bool is_plain(const PreparedMaterial<T>& material) {
-    return !material.reads_uv() && material.noise == nullptr && material.cube_map == nullptr;
-}
-
-}  // namespace
 
 template <typename T>
 BatchShading<T>::BatchShading(const ShadingScene<T>& scene)
     : scene_(&scene),
       loops_(&column_loops<T>()),
-      slots_(std::make_unique<SurfaceSlots<T>>()),
+      met_(scene),
       forms_(std::make_unique<SurfaceForms<T>>()),
       hits_(std::make_unique<HitColumns<T>>()),
       light_(std::make_unique<LightColumns<T>>()),
       on_(scene.any_scatters() ? std::make_unique<ScatterColumns<T>>() : nullptr),
       mirrored_{} {
     others_.reserve(kBatchSize);
-}
-
-template <typename T>
-auto BatchShading<T>::form_of(const ir::Object& object, const Hit<T>& hit) const -> Form {
-    const ir::Scene& source = *scene_->source;
-    const PreparedMaterial<T>& material = scene_->material(object.material);
-    if (material.cube_map != nullptr) return Form::kUnlit;
-    if (!is_plain(material) || scene_->geometry.geometry.places[hit.object.value].instance) {
-        return Form::kOther;
-    }
-    switch (object.kind) {
-        case ir::ShapeKind::kMesh: {
-            const auto& c = source.meshes[object.shape].faces[hit.face].corners;
-            constexpr std::uint32_t kNone = ir::Mesh::kNone;
-            const bool smooth =
-                c[0].normal != kNone && c[1].normal != kNone && c[2].normal != kNone;
-            return smooth ? Form::kSmooth : Form::kFlat;
-        }
-        case ir::ShapeKind::kTriangle:
-            return source.triangles[object.shape].keys.size() > 1 ? Form::kOther : Form::kFlat;
-        case ir::ShapeKind::kSphere:
-            return source.spheres[object.shape].keys.size() > 1 ? Form::kOther : Form::kSphere;
-        case ir::ShapeKind::kBox:
-            return Form::kBox;
-        case ir::ShapeKind::kPlane:
-            break;
-    }
-    return Form::kOther;
-}
-
-template <typename T>
-void BatchShading<T>::fill_triangle(std::size_t slot,
-                                    const std::array<math::Vec3<T>, 3>& vertices) {
-    SurfaceForms<T>& forms = slots_->forms;
-    forms.a.set(slot, vertices[0]);
-    forms.b.set(slot, vertices[1]);
-    forms.c.set(slot, vertices[2]);
-    forms.normal.set(slot, unit(triangle_normal(vertices[0], vertices[1], vertices[2])));
-}
-
-template <typename T>
-void BatchShading<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
-    const ir::Scene& source = *scene_->source;
-    const ir::Object& object = source.objects[hit.object.value];
-    const PreparedMaterial<T>& material = scene_->material(object.material);
-    const math::Vec3d origin = scene_->geometry.origin;
-    slots_->object[slot] = hit.object.value;
-    slots_->face[slot] = hit.face;
-    slots_->kd.set(slot, material.diffuse);
-    material_[slot] = &material;
-    const ActiveEffects& effects = scene_->effects;
-    any_highlight_ = any_highlight_ ||
-                     (effects.highlights && has_highlight(material.specular, material.shininess));
-    slots_->specular.set(slot, material.specular);
-    slots_->index[slot] = material.refraction_index;
-    scatters_[slot] = scene_->scatters(material) ? 1 : 0;
-    any_scatters_ = any_scatters_ || scatters_[slot] != 0;
-    any_glass_ = any_glass_ || (scatters_[slot] != 0 && material.refraction_index > T(0));
-    form_[slot] = form_of(object, hit);
-    switch (form_[slot]) {
-        case Form::kSmooth: {
-            const ir::Mesh& mesh = source.meshes[object.shape];
-            const auto& corners = mesh.faces[hit.face].corners;
-            slots_->forms.na.set(slot, mesh.normals[corners[0].normal]);
-            slots_->forms.nb.set(slot, mesh.normals[corners[1].normal]);
-            slots_->forms.nc.set(slot, mesh.normals[corners[2].normal]);
-            fill_triangle(slot, face_vertices<T>(mesh, hit.face, origin));
-            break;
-        }
-        case Form::kFlat:
-            fill_triangle(slot,
-                          object.kind == ir::ShapeKind::kMesh
-                              ? face_vertices<T>(source.meshes[object.shape], hit.face, origin)
-                              : narrow_vertices<T>(source.triangles[object.shape].keys[0], origin));
-            break;
-        case Form::kSphere: {
-            const SphereKey<T> sphere =
-                narrow_sphere<T>(source.spheres[object.shape].keys[0], origin);
-            slots_->forms.a.set(slot, sphere.center);
-            slots_->forms.b.set(slot, {sphere.radius, 0, 0});
-            break;
-        }
-        case Form::kBox: {
-            const BoxBounds<T> box = narrow_box<T>(source.boxes[object.shape], origin);
-            slots_->forms.a.set(slot, box.lo);
-            slots_->forms.b.set(slot, box.hi);
-            math::Vec3d normal;
-            normal[hit.face / 2] = hit.face % 2 == 1 ? 1 : -1;
-            slots_->forms.normal.set(slot, normal);
-            break;
-        }
-        case Form::kOther:
-        case Form::kUnlit:
-            break;
-    }
-}
-
-template <typename T>
-std::size_t BatchShading<T>::slot_of(const Hit<T>& hit) {
-    // Neighbouring objects and faces get places of their own.
-    Recent& recent = recent_[(hit.object.value * 13 + hit.face) % kRecent];
-    if (recent.object != hit.object || recent.face != hit.face) {
-        recent = {hit.object, hit.face, static_cast<std::uint32_t>(slot_count_)};
-        fill_slot(slot_count_++, hit);
-    }
-    return recent.slot;
 }
 
 template <typename T>
@@ -158,15 +41,10 @@ std::uint32_t BatchShading<T>::place_in_order() {
     for (std::size_t lane = 0; lane < given_.size(); ++lane) {
         const Hit<T>& hit = given_[lane];
         entry_[lane] = -1;
-        if (hit) place(lane, slot_of(hit), entry++);
+        if (hit) place(lane, met_.slot_of(hit), entry++);
     }
     count_ = entry;
-    // Each slot has been met.
-    std::uint32_t forms = 0;
-    for (std::size_t slot = 0; slot < slot_count_; ++slot) {
-        forms |= 1U << static_cast<std::uint32_t>(form_[slot]);
-    }
-    return forms;
+    return met_.forms();
 }
 
 /// Where each form begins, those of one side by side.
@@ -175,11 +53,11 @@ auto BatchShading<T>::place_by_form() -> FormBegins {
     std::array<std::int32_t, kBatchSize> slots;
     std::copy_n(hits_->slot, count_, slots.begin());
     const auto form_of_slot = [this](std::int32_t slot) {
-        return static_cast<std::size_t>(form_[static_cast<std::size_t>(slot)]);
+        return static_cast<std::size_t>(met_.form(static_cast<std::size_t>(slot)));
     };
     FormBegins begins{};
     for (std::size_t i = 0; i < count_; ++i) ++begins[form_of_slot(slots[i]) + 1];
-    for (std::size_t i = 0; i < kForms; ++i) begins[i + 1] += begins[i];
+    for (std::size_t i = 0; i < kSurfaceForms; ++i) begins[i + 1] += begins[i];
     auto next = begins;
     std::size_t before = 0;
     for (std::size_t lane = 0; lane < given_.size(); ++lane) {
@@ -208,32 +86,32 @@ void BatchShading<T>::find_rays() {
 }
 
 template <typename T>
-void BatchShading<T>::compute(Form form, std::size_t first, std::size_t end) {
+void BatchShading<T>::compute(SurfaceForm form, std::size_t first, std::size_t end) {
     if (first == end) return;
-    if (form >= Form::kOther) {
+    if (form >= SurfaceForm::kOther) {
         for (std::size_t i = first; i < end; ++i) look_at_other(i);
         return;
     }
     const auto spread = [&](const Columns3<T>& from, Columns3<T>& to) {
-        loops_->spread(from, slot_count_, *hits_, to, first, end);
+        loops_->spread(from, met_.size(), *hits_, to, first, end);
     };
     const auto spread_double = [&](const Columns3<double>& from, Columns3<double>& to) {
-        loops_->spread_double(from, slot_count_, *hits_, to, first, end);
+        loops_->spread_double(from, met_.size(), *hits_, to, first, end);
     };
-    const SurfaceForms<T>& of_slots = slots_->forms;
+    const SurfaceForms<T>& of_slots = met_.columns().forms;
     SurfaceForms<T>& forms = *forms_;
-    spread(slots_->kd, hits_->kd);
+    spread(met_.columns().kd, hits_->kd);
     spread(of_slots.a, forms.a);
     spread(of_slots.b, forms.b);
-    if (form == Form::kSphere) {
+    if (form == SurfaceForm::kSphere) {
         return loops_->spheres(forms, *from_, *direction_, *hits_, first, end);
     }
     spread_double(of_slots.normal, forms.normal);
-    if (form == Form::kBox) {
+    if (form == SurfaceForm::kBox) {
         return loops_->boxes(forms, *from_, *direction_, *hits_, first, end);
     }
     spread(of_slots.c, forms.c);
-    if (form == Form::kFlat) {
+    if (form == SurfaceForm::kFlat) {
         return loops_->flat_triangles(forms, *from_, *direction_, *hits_, first, end);
     }
     spread_double(of_slots.na, forms.na);
@@ -246,10 +124,8 @@ template <typename T>
 void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hits) {
     batch_ = &batch;
     given_ = hits;
-    slot_count_ = 0;
-    any_highlight_ = any_scatters_ = any_glass_ = false;
+    met_.begin();
     others_.clear();
-    recent_.fill({});
     const std::uint32_t forms = place_in_order();
     const bool one_form = std::has_single_bit(forms);
     FormBegins begins{};
@@ -259,15 +135,15 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     } else if (forms != 0) {
         begins = place_by_form();
     }
-    first_other_ = begins[static_cast<std::size_t>(Form::kOther)];
-    lit_ = begins[static_cast<std::size_t>(Form::kUnlit)];
+    first_other_ = begins[static_cast<std::size_t>(SurfaceForm::kOther)];
+    lit_ = begins[static_cast<std::size_t>(SurfaceForm::kUnlit)];
     sorted_as_given_ = one_form;
     in_order_ = one_form && count_ == hits.size();
     find_rays();
-    for (std::size_t i = 0; i < kForms; ++i) {
-        compute(static_cast<Form>(i), begins[i], begins[i + 1]);
+    for (std::size_t i = 0; i < kSurfaceForms; ++i) {
+        compute(static_cast<SurfaceForm>(i), begins[i], begins[i + 1]);
     }
-    if (!any_highlight_) return;
+    if (!met_.any_highlight()) return;
     for (std::size_t i = 0; i < lit_; ++i) {
         mirrored_.set(i, reflect(direction_->at(i), hits_->normal.at(i)));
     }
@@ -311,7 +187,7 @@ void BatchShading<T>::sent_by_middle(const PreparedLight& light) {
 template <typename T>
 void BatchShading<T>::add_highlights() {
     for (std::size_t i = 0; i < lit_; ++i) {
-        const PreparedMaterial<T>& material = *material_[slot_of_entry(static_cast<int>(i))];
+        const PreparedMaterial<T>& material = met_.material(slot_of_entry(static_cast<int>(i)));
         if (!has_highlight(material.specular, material.shininess)) continue;
         const T bright = highlight(hits_->normal.at(i), light_->direction.at(i), mirrored_.at(i),
                                    material.shininess);
@@ -333,7 +209,7 @@ void BatchShading<T>::leave_out_below_bent() {
 template <typename T>
 void BatchShading<T>::sent_by(const PreparedLight& light) {
     loops_->lambert_share(*hits_, *light_, lit_);
-    if (any_highlight_) add_highlights();
+    if (met_.any_highlight()) add_highlights();
     const bool shadows = scene_->effects.shadows;
     if (!shadows) {
         loops_->ask_without_shadows(*hits_, *light_, lit_);
@@ -357,15 +233,15 @@ void BatchShading<T>::begin_shadow_rays() {
     shadow_.in_columns = shadow_.bounded = true;
     const auto& stretches = batch_->stretches;
     if (sorted_as_given_ && stretches.size() == 1) {
-        const std::size_t count =
-            loops_->begin_shadow_rays(*slots_, slot_count_, *hits_, *light_, lit_, shadow_, asker_);
+        const std::size_t count = loops_->begin_shadow_rays(met_.columns(), met_.size(), *hits_,
+                                                            *light_, lit_, shadow_, asker_);
         shadow_.end_stretch_at(count, stretches[0].coherence);
         shadow_.count = count;
     } else {
         // Looked up once: what is written may be anything, for all that the compiler knows.
         const LightColumns<T>& answers = *light_;
         const std::int32_t* const slot_of_entry = hits_->slot;
-        const SurfaceSlots<T>& slots = *slots_;
+        const SurfaceSlots<T>& slots = met_.columns();
         const std::size_t lit = lit_;
         std::size_t count = 0, lane = 0;
         for (const auto& stretch : stretches) {
@@ -429,14 +305,14 @@ void BatchShading<T>::color(Columns3<T>& colors) {
 
 template <typename T>
 bool BatchShading<T>::scatter(const Carried<T>* carried) {
-    if (!any_scatters_) return false;
+    if (!met_.any_scatters()) return false;
     for (std::size_t i = 0; i < count_; ++i) {
         const Carried<T>& of = carried[lane_[i]];
         on_->weight.set(i, of.weight);
         on_->index[i] = of.index;
     }
-    (any_glass_ ? loops_->scatter_glass : loops_->scatter_mirror)(*slots_, *hits_, *direction_,
-                                                                  *on_, count_);
+    (met_.any_glass() ? loops_->scatter_glass : loops_->scatter_mirror)(met_.columns(), *hits_,
+                                                                        *direction_, *on_, count_);
     return true;
 }
 
@@ -445,10 +321,10 @@ void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
                                       PendingRays<T>& to) const {
     const bool reflected = kind == RayKind::kReflected;
     const ActiveEffects& effects = scene_->effects;
-    if (reflected ? !effects.reflection : !effects.refraction || !any_glass_) return;
+    if (reflected ? !effects.reflection : !effects.refraction || !met_.any_glass()) return;
     // Looked up once: what is written may be anything, for all that the compiler knows.
     const ChildColumns<T>& children = reflected ? on_->reflected : on_->refracted;
-    const SurfaceSlots<T>& slots = *slots_;
+    const SurfaceSlots<T>& slots = met_.columns();
     const std::int32_t* const slot_of_entry = hits_->slot;
     const T* const beyond = on_->index_beyond;
     const Ray<T>* const parents = batch_->rays.data();
@@ -456,7 +332,7 @@ void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
     Exclude* excludes = to.excludes(to.size());
     Carried<T>* carries = to.carried(to.size());
     Likeness* likenesses = to.likenesses(to.size());
-    const std::uint8_t* const scatters = scatters_.data();
+    const std::uint8_t* const scatters = met_.scatters();
     std::size_t count = 0;
     for (std::size_t i = 0; i < count_; ++i) {
         const std::size_t lane = lane_[i];
@@ -484,10 +360,10 @@ Encounter<T> BatchShading<T>::encounter(std::size_t lane) const {
     const auto i = static_cast<std::size_t>(entry);
     if (i >= first_other_) return others_[i - first_other_];
     const std::size_t slot = slot_of_entry(entry);
-    const ir::Object& object = scene_->source->objects[slots_->object[slot]];
+    const ir::Object& object = scene_->source->objects[met_.columns().object[slot]];
     Encounter<T> met;
     met.hit = given_[lane];
-    met.material = material_[slot];
+    met.material = &met_.material(slot);
     SurfacePoint<T>& point = met.point;
     point.position = hits_->position.at(i);
     point.geometric_normal = hits_->geometric.at(i);

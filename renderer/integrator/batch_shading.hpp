@@ -14,6 +14,7 @@
 
 #include "renderer/integrator/column_loops.hpp"
 #include "renderer/integrator/columns.hpp"
+#include "renderer/integrator/met_surfaces.hpp"
 #include "renderer/integrator/pending_rays.hpp"
 #include "renderer/integrator/ray_batch.hpp"
 #include "renderer/integrator/shading_scene.hpp"
@@ -75,23 +76,16 @@ class BatchShading {
     void append_children(RayKind kind, const Carried<T>* carried, PendingRays<T>& to) const;
 
   private:
-    /// How a surface is computed; in this order in the columns.
-    enum class Form : std::uint8_t { kFlat, kSmooth, kSphere, kBox, kOther, kUnlit };
-    static constexpr std::size_t kForms = 6;
-
-    std::size_t slot_of(const Hit<T>& hit);
-    void fill_slot(std::size_t slot, const Hit<T>& hit);
-    [[nodiscard]] Form form_of(const ir::Object& object, const Hit<T>& hit) const;
-    void fill_triangle(std::size_t slot, const std::array<math::Vec3<T>, 3>& vertices);
     [[nodiscard]] std::size_t slot_of_entry(std::int32_t entry) const {
         return static_cast<std::size_t>(hits_->slot[entry]);
     }
-    using FormBegins = std::array<std::size_t, kForms + 1>;
+    /// In the columns, in the order of the forms.
+    using FormBegins = std::array<std::size_t, kSurfaceForms + 1>;
     void place(std::size_t lane, std::size_t slot, std::size_t entry);
     std::uint32_t place_in_order();
     FormBegins place_by_form();
     void find_rays();
-    void compute(Form form, std::size_t first, std::size_t end);
+    void compute(SurfaceForm form, std::size_t first, std::size_t end);
     void look_at_other(std::size_t entry);
     void set_sample(std::size_t entry, const LightSample<T>& sample);
     void sent_by_middle(const PreparedLight& light);
@@ -108,20 +102,7 @@ class BatchShading {
     // By place in the batch.
     std::array<std::int32_t, kBatchSize> entry_{};  ///< in the columns; -1: met nothing
 
-    // By slot.
-    std::unique_ptr<SurfaceSlots<T>> slots_;
-    std::size_t slot_count_ = 0;
-    std::array<Form, kBatchSize> form_{};
-    std::array<const PreparedMaterial<T>*, kBatchSize> material_{};
-    std::array<std::uint8_t, kBatchSize> scatters_{};
-    /// Slots by a hash of their object and face; the last one with it.
-    static constexpr std::size_t kRecent = 64;
-    struct Recent {
-        ir::ObjectId object;
-        std::uint32_t face = 0;
-        std::uint32_t slot = 0;
-    };
-    std::array<Recent, kRecent> recent_{};
+    MetSurfaces<T> met_;
 
     // By entry in the columns: those that are lit first.
     std::unique_ptr<SurfaceForms<T>> forms_;
@@ -138,9 +119,6 @@ class BatchShading {
     const Columns3<T>* from_ = nullptr;
     const Columns3<T>* direction_ = nullptr;
     Columns3<T> own_from_, own_direction_;
-    bool any_highlight_ = false;
-    bool any_scatters_ = false;  ///< of the batch
-    bool any_glass_ = false;
     std::vector<Encounter<T>> others_;  ///< from first_other_ on
     Columns3<T> mirrored_;              ///< rays at surfaces with a highlight
 
