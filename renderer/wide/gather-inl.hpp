@@ -222,6 +222,8 @@ std::size_t gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t
     p.best = best;
     p.box_tests = 0;
     p.primitive_tests = 0;
+    p.asked_groups = 0;
+    p.met_rays = 0;
     p.leaf_groups = 0;
     p.leaf_rays = 0;
     p.count = count;

@@ -97,10 +97,18 @@ struct Packet {
     std::uint64_t box_tests, primitive_tests;
     /// At leaves of triangles: groups that came, and rays in them that meet the leaf.
     std::uint64_t leaf_groups, leaf_rays;
+    /// At whatever is no node: groups that were asked, and rays in them that meet its box.
+    std::uint64_t asked_groups, met_rays;
 
     /// Whether going together was worth it for rays that ask for any hit: where each meets leaves
     /// of its own, they are faster alone.
     [[nodiscard]] bool stayed_together() const { return leaf_rays * 10 >= leaf_groups * kLanes; }
+    /// Whether it is to be given up: among things far smaller than what is between its rays nearly
+    /// all of what the packet comes by is met by no ray.
+    [[nodiscard]] bool is_astray() const {
+        constexpr std::uint64_t kEnough = 256;
+        return asked_groups >= kEnough && met_rays * 64 < asked_groups * kLanes;
+    }
 };
 
 /// The rays of a group that meet the box in a slot of a node.

@@ -208,6 +208,8 @@ HWY_INLINE bool test_slot(const Geometry<float>& g, const WideNode<float>& paren
     for (std::size_t group = 0; group < Packet::kGroups; ++group) {
         if ((beams >> (8 * (group / Packet::kBeamGroups)) & 1) == 0) continue;
         std::uint32_t bits = group_hits(parent, slot, p, group);
+        ++p.asked_groups;
+        p.met_rays += hwy::PopCount(bits);
         if (bits == 0) continue;
         groups |= 1U << group;
         switch (child.kind()) {
@@ -294,10 +296,11 @@ class WaitingPart {
     std::uint32_t back_;
 };
 
+/// False if the packet was given up: its rays' hits mean nothing.
 template <bool kAny>
-HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
+HWY_NOINLINE bool walk_packet(const Geometry<float>& g, Packet& p) {
     const WideTree<float>& tree = g.wide;
-    if (tree.nodes.empty()) return;
+    if (tree.nodes.empty()) return true;
     constexpr std::size_t kWidth = WideNode<float>::kWidth;
     constexpr std::size_t kUnit = alignof(WideNode<float>);
     gather_beams(p);
@@ -351,11 +354,15 @@ HWY_NOINLINE void walk_packet(const Geometry<float>& g, Packet& p) {
             } else if (test_slot<kAny>(g, parent, at.slot(), at.beams(), p)) {
                 bound = greatest_bound(p);
                 if (kAny && bound == std::numeric_limits<float>::lowest()) break;
+            } else if (HWY_UNLIKELY(p.is_astray())) {
+                p.box_tests += steps * kWidth;
+                return false;
             }
         }
     }
     if constexpr (!kAny) settle_all(tree, p);
     p.box_tests += steps * kWidth;
+    return true;
 }
 
 }  // namespace cobble::renderer::HWY_NAMESPACE

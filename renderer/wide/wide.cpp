@@ -72,10 +72,15 @@ void search_packets(const WideQuery<float>& q, Hit<float>* hits, Counters& count
             continue;
         }
         test_planes<kAny>(*q.geometry, packet);
-        walk_packet<kAny>(*q.geometry, packet);
-        counters.packet_rays += count;
+        const bool found = walk_packet<kAny>(*q.geometry, packet);
         counters.box_tests += packet.box_tests;
         counters.primitive_tests += packet.primitive_tests;
+        if (!found) {
+            pause = kPause;
+            search_singly<kAny>(q, first, count, hits, counters);
+            continue;
+        }
+        counters.packet_rays += count;
         if (kAny && !packet.stayed_together()) pause = kPause;
     }
 }
