@@ -125,10 +125,23 @@ HWY_INLINE bool test_triangle_group(const WideTree<float>& tree, std::uint32_t i
             hn::BlendedStore(far, mask, d, p.bound + at);
         }
     }
-    while (bits != 0) {
-        const auto i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-        bits &= bits - 1;
-        meet<kAny>(tree, p, at + i, index);
+    if (HWY_UNLIKELY(bits != 0)) {
+        if constexpr (!kAny) {
+            // Where a surface turns away from the rays, they meet two neighbours at once.
+            const auto ahead = hn::And(sure, hn::Gt(near, min));
+            const std::uint32_t both = bits & bits_of(d, ahead) & waiting_rays(p, group);
+            if (both != 0) {
+                alignas(64) float begins[Packet::kLanes];
+                alignas(64) float ends[Packet::kLanes];
+                hn::Store(near, d, begins);
+                hn::Store(far, d, ends);
+                bits &= ~both;
+                bits |= put_in_order(tree, p, group, both, index, begins, ends);
+            }
+        }
+        for (; bits != 0; bits &= bits - 1) {
+            meet<kAny>(tree, p, at + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits), index);
+        }
     }
     return true;
 }

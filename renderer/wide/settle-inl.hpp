@@ -23,12 +23,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace cobble::renderer::HWY_NAMESPACE {
 
+inline math::Vec3<float> corner_of(const TriangleBlock<float>& block, std::size_t lane,
+                                   std::size_t i) {
+    return {block.vertices[i][0][lane], block.vertices[i][1][lane], block.vertices[i][2][lane]};
+}
+
 inline TrianglePrimitive<float> lane_of(const TriangleBlock<float>& block, std::size_t lane) {
     TrianglePrimitive<float> triangle;
-    for (std::size_t i = 0; i < 3; ++i) {
-        triangle.vertices[i] = {block.vertices[i][0][lane], block.vertices[i][1][lane],
-                                block.vertices[i][2][lane]};
-    }
+    for (std::size_t i = 0; i < 3; ++i) triangle.vertices[i] = corner_of(block, lane, i);
     triangle.object = block.object[lane];
     triangle.face = block.face[lane];
     return triangle;
@@ -152,6 +154,126 @@ HWY_INLINE void gather_corners(const WideTree<float>& tree, const Packet& p, std
     hn::Store(face, du, corners.face);
 }
 
+/// Vectors in lanes.
+template <class V>
+struct Vectors {
+    V x, y, z;
+};
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> widened(D d, const float* x, const float* y, const float* z) {
+    const hn::Rebind<float, D> df;
+    return {hn::PromoteTo(d, hn::Load(df, x)), hn::PromoteTo(d, hn::Load(df, y)),
+            hn::PromoteTo(d, hn::Load(df, z))};
+}
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> all_lanes(D d, math::Vec3d v) {
+    return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+}
+/// a b - c e
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V cross_of(D, V a, V b, V c, V e) {
+    return hn::Sub(hn::Mul(a, b), hn::Mul(c, e));
+}
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> difference(D, const Vectors<V>& a, const Vectors<V>& b) {
+    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Vectors<V> normal_of(D d, const Vectors<V>& p0, const Vectors<V>& p1,
+                                const Vectors<V>& p2) {
+    const auto a = difference(d, p1, p0);
+    const auto b = difference(d, p2, p0);
+    return {cross_of(d, a.y, b.z, a.z, b.y), cross_of(d, a.z, b.x, a.x, b.z),
+            cross_of(d, a.x, b.y, a.y, b.x)};
+}
+
+/// Where rays meet planes, as met_at() has it; not where they run along them, `along` is 0.
+template <class V>
+struct PlaneMet {
+    V t, along;
+};
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE PlaneMet<V> plane_met(D d, const Vectors<V>& normal, const Vectors<V>& point,
+                                 const Vectors<V>& origin, const Vectors<V>& direction) {
+    const auto product = [&](const Vectors<V>& b) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(normal.x, b.x), hn::Mul(normal.y, b.y)),
+                       hn::Mul(normal.z, b.z));
+    };
+    const V along = product(direction);
+    return {hn::Div(product(difference(d, point, origin)), along), along};
+}
+
+/// clamp_to()
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V clamp_lanes(D, V t, V near, V far) {
+    return hn::IfThenElse(hn::Lt(t, near), near, hn::IfThenElse(hn::Gt(t, far), far, t));
+}
+
+/// Of a group's rays for which a triangle waits: two triangles whose spans overlap, the one that
+/// waits and another that they meet as surely, `triangle`. The t of both, as settle() has it; the
+/// one that comes first then waits, and its span is its t. `near` and `far`: the other's span.
+/// Returns the rays that see either edge-on, of which nothing is decided.
+HWY_NOINLINE inline std::uint32_t put_in_order(const WideTree<float>& tree, Packet& p,
+                                               std::size_t group, std::uint32_t rays,
+                                               std::uint32_t triangle, const float* near,
+                                               const float* far) {
+    using D = hn::CappedTag<double, 8>;
+    using V = hn::Vec<D>;
+    const D d;
+    const hn::Rebind<float, D> df;
+    const hn::RebindToUnsigned<decltype(df)> du;
+    constexpr std::size_t kLanes = hn::MaxLanes(D());
+    const TriangleBlock<float>& block = tree.triangles[triangle / kBlockLanes];
+    const std::size_t lane = triangle % kBlockLanes;
+    CornersOfGroup corners;
+    gather_corners(tree, p, group, rays, corners);
+    const math::Vec3d p0 = widen(corner_of(block, lane, 0));
+    const math::Vec3d across =
+        cross(widen(corner_of(block, lane, 1)) - p0, widen(corner_of(block, lane, 2)) - p0);
+    std::uint32_t edge_on = 0;
+    for (std::size_t part = 0; part < Packet::kLanes; part += kLanes) {
+        const std::uint32_t some = rays >> part & ((1U << kLanes) - 1);
+        if (some == 0) continue;
+        const std::size_t at = group * Packet::kLanes + part;
+        const auto of_ray = [&](const float(*rows)[kPacketRays]) HWY_ATTR {
+            return widened(d, rows[0] + at, rows[1] + at, rows[2] + at);
+        };
+        const auto corner = [&](std::size_t c) HWY_ATTR {
+            const auto& rows = corners.at[c];
+            return widened(d, rows[0] + part, rows[1] + part, rows[2] + part);
+        };
+        const auto direction = of_ray(p.direction);
+        const auto origin = of_ray(p.origin);
+        const auto first = plane_met(d, normal_of(d, corner(0), corner(1), corner(2)), corner(0),
+                                     origin, direction);
+        const auto second = plane_met(d, all_lanes(d, across), all_lanes(d, p0), origin, direction);
+        const auto zero = hn::Zero(d);
+        const std::uint32_t open =
+            bits_of(d, hn::Or(hn::Eq(first.along, zero), hn::Eq(second.along, zero))) & some;
+        edge_on |= open << part;
+        const auto t = clamp_lanes(df, hn::DemoteTo(df, first.t), hn::Load(df, p.least + at),
+                                   hn::Load(df, p.bound + at));
+        const auto other = clamp_lanes(df, hn::DemoteTo(df, second.t), hn::Load(df, near + part),
+                                       hn::Load(df, far + part));
+        // Where they are equal, what Search::offer() goes by.
+        const auto object = hn::Load(du, corners.object + part);
+        const auto face = hn::Load(du, corners.face + part);
+        const auto its_object = hn::Set(du, block.object[lane].value);
+        const auto before = hn::Or(
+            hn::Gt(object, its_object),
+            hn::And(hn::Eq(object, its_object), hn::Gt(face, hn::Set(du, block.face[lane]))));
+        const auto replaced =
+            hn::Or(hn::Lt(other, t), hn::And(hn::Eq(other, t), hn::RebindMask(df, before)));
+        const auto decided = mask_of(df, some & ~open);
+        const auto now = hn::IfThenElse(replaced, other, t);
+        hn::BlendedStore(now, decided, df, p.least + at);
+        hn::BlendedStore(now, decided, df, p.bound + at);
+        hn::BlendedStore(hn::Set(du, triangle), hn::RebindMask(du, hn::And(decided, replaced)), du,
+                         p.ahead + at);
+    }
+    return edge_on;
+}
+
 /// settle() of all rays: the same arithmetic, a lane each. Every lane of a group is computed, those
 /// that no triangle waits for with that of another ray.
 HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
@@ -161,17 +283,6 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
     const hn::Rebind<float, D> df;
     constexpr std::size_t kLanes = hn::MaxLanes(D());
     std::uint32_t waiting = 0;
-    struct Vectors {
-        V x, y, z;
-    };
-    const auto minus = [](const Vectors& a, const Vectors& b) HWY_ATTR {
-        return Vectors{hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-    };
-    const auto difference = [](V a, V b, V c, V e)
-                                HWY_ATTR { return hn::Sub(hn::Mul(a, b), hn::Mul(c, e)); };
-    const auto product = [](const Vectors& a, const Vectors& b) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-    };
     CornersOfGroup corners;
     for (std::size_t at = 0; at < p.count; at += kLanes) {
         const std::size_t group = at / Packet::kLanes;
@@ -181,16 +292,12 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
             if (waiting != 0) gather_corners(tree, p, group, waiting, corners);
         }
         if ((waiting >> in_group & ((1U << kLanes) - 1)) == 0) continue;
-        const auto widened = [&](const float* x, const float* y, const float* z) HWY_ATTR {
-            return Vectors{hn::PromoteTo(d, hn::Load(df, x)), hn::PromoteTo(d, hn::Load(df, y)),
-                           hn::PromoteTo(d, hn::Load(df, z))};
-        };
         const auto of_ray = [&](const float(*rows)[kPacketRays]) HWY_ATTR {
-            return widened(rows[0] + at, rows[1] + at, rows[2] + at);
+            return widened(d, rows[0] + at, rows[1] + at, rows[2] + at);
         };
         const auto corner = [&](std::size_t c) HWY_ATTR {
             const auto& rows = corners.at[c];
-            return widened(rows[0] + in_group, rows[1] + in_group, rows[2] + in_group);
+            return widened(d, rows[0] + in_group, rows[1] + in_group, rows[2] + in_group);
         };
         V x[3], y[3];
         const auto sx = hn::Load(df, p.sx + at);
@@ -204,23 +311,14 @@ HWY_NOINLINE inline void settle_all(const WideTree<float>& tree, Packet& p) {
             x[c] = hn::PromoteTo(d, hn::Sub(relative(p.kx), hn::Mul(sx, z)));
             y[c] = hn::PromoteTo(d, hn::Sub(relative(p.ky), hn::Mul(sy, z)));
         }
-        const V u = difference(x[2], y[1], y[2], x[1]);
-        const V v = difference(x[0], y[2], y[0], x[2]);
-        const V w = difference(x[1], y[0], y[1], x[0]);
+        const V u = cross_of(d, x[2], y[1], y[2], x[1]);
+        const V v = cross_of(d, x[0], y[2], y[0], x[2]);
+        const V w = cross_of(d, x[1], y[0], y[1], x[0]);
         const V det = hn::Add(hn::Add(u, v), w);
-        const Vectors p0 = corner(0);
-        const Vectors a = minus(corner(1), p0);
-        const Vectors b = minus(corner(2), p0);
-        const Vectors normal{difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
-                             difference(a.x, b.y, a.y, b.x)};
-        const Vectors direction = of_ray(p.direction);
-        const V along = product(normal, direction);
-        const V t = hn::Div(product(normal, minus(p0, of_ray(p.origin))), along);
-        const auto near = hn::Load(df, p.least + at);
-        const auto far = hn::Load(df, p.bound + at);
-        // clamp_to()
-        auto ts = hn::DemoteTo(df, t);
-        ts = hn::IfThenElse(hn::Lt(ts, near), near, hn::IfThenElse(hn::Gt(ts, far), far, ts));
+        const auto [t, along] = plane_met(d, normal_of(d, corner(0), corner(1), corner(2)),
+                                          corner(0), of_ray(p.origin), of_ray(p.direction));
+        const auto ts = clamp_lanes(df, hn::DemoteTo(df, t), hn::Load(df, p.least + at),
+                                    hn::Load(df, p.bound + at));
         const auto number_of = [&](const std::uint32_t* numbers) HWY_ATTR {
             return hn::BitCast(df,
                                hn::Load(hn::RebindToUnsigned<decltype(df)>(), numbers + in_group));
