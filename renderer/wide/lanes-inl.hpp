@@ -11,8 +11,10 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "renderer/accel/wide_tree.hpp"
@@ -60,6 +62,12 @@ template <class D>
 HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, mask, bytes);
+    // Where it is the same, as one number: g++ would take it apart and put it together.
+    if constexpr (std::endian::native == std::endian::little && hn::MaxLanes(D()) > 8) {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, bytes, sizeof(bits));
+        return bits;
+    }
     return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 

@@ -298,15 +298,19 @@ class WaitingPart {
     }
     /// Whose slot it is, in units of a node's alignment.
     [[nodiscard]] std::size_t node() const { return front_ >> 32; }
-    [[nodiscard]] std::uint32_t slot() const { return back_ >> kSlotShift & 7; }
-    [[nodiscard]] std::uint32_t beams() const { return back_ & kAllBeams; }
+    [[nodiscard]] std::uint32_t slot() const {
+        return static_cast<std::uint32_t>(back_) >> kSlotShift & 7;
+    }
+    [[nodiscard]] std::uint32_t beams() const {
+        return static_cast<std::uint32_t>(back_) & kAllBeams;
+    }
 
   private:
     static constexpr std::uint32_t kSlotShift = 1;
     static_assert((7U << kSlotShift & kAllBeams) == 0 && WideNode<float>::kWidth == 8);
 
     std::uint64_t front_;
-    std::uint32_t back_;
+    std::uint64_t back_;  // as wide as what it is copied with: see above
 };
 
 /// False if the packet was given up: its rays' hits mean nothing.
