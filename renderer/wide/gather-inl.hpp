@@ -12,9 +12,11 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "renderer/query/query.hpp"
 #include "renderer/wide/packet-inl.hpp"
@@ -181,24 +183,29 @@ HWY_INLINE void read_columns(const RayColumns<float>& rays, std::size_t count, P
     }
 }
 
-/// The answers of a packet's rays that do not end and meet nothing.
+/// The answers of rays that do not end and meet nothing, as many as a register has lanes.
 struct NothingAhead {
-    alignas(64) Hit<float> hits[kPacketRays];
+    alignas(64) Hit<float> hits[Packet::kLanes];
     constexpr NothingAhead() {
         for (Hit<float>& hit : hits) hit.t = std::numeric_limits<float>::max();
     }
 };
 inline constexpr NothingAhead kNothingAhead;
 
-/// Register by register: g++ makes of std::memcpy() a loop of the processor's, which begins slowly.
+/// From registers that are read once: of a loop that reads and writes g++ makes std::memcpy(), and
+/// of that a loop of the processor's, which begins slowly.
 HWY_INLINE void set_nothing_ahead(Hit<float>* best) {
     const Packet::D d;
     const auto* const from = reinterpret_cast<const float*>(kNothingAhead.hits);
     auto* const to = reinterpret_cast<float*>(best);
-    constexpr std::size_t kNumbers = kPacketRays * (sizeof(Hit<float>) / sizeof(float));
-    static_assert(kNumbers % Packet::kLanes == 0);
-    for (std::size_t at = 0; at < kNumbers; at += Packet::kLanes) {
-        hn::StoreU(hn::Load(d, from + at), d, to + at);
+    constexpr std::size_t kParts = sizeof(Hit<float>) / sizeof(float);
+    static_assert(kPacketRays % Packet::kLanes == 0);
+    hn::Vec<Packet::D> parts[kParts];
+    for (std::size_t i = 0; i < kParts; ++i) parts[i] = hn::Load(d, from + i * Packet::kLanes);
+    for (std::size_t at = 0; at < kPacketRays * kParts; at += kParts * Packet::kLanes) {
+        for (std::size_t i = 0; i < kParts; ++i) {
+            hn::StoreU(parts[i], d, to + at + i * Packet::kLanes);
+        }
     }
 }
 
@@ -212,6 +219,16 @@ HWY_INLINE bool all_endless(const Packet& p) {
         endless = hn::And(endless, hn::Eq(hn::Load(d, p.bound + at), most));
     }
     return hn::AllTrue(d, endless);
+}
+
+/// The axes of the first ray, by RayShear's rule.
+HWY_INLINE void find_axes(Packet& p) {
+    const auto along = [&](std::size_t axis) { return std::fabs(p.direction[axis][0]); };
+    const float x = along(0), y = along(1), z = along(2);
+    p.kz = x > y ? (x > z ? 0U : 2U) : (y > z ? 1U : 2U);
+    p.kx = p.kz == 2 ? 0 : p.kz + 1;
+    p.ky = p.kx == 2 ? 0 : p.kx + 1;
+    if (p.direction[p.kz][0] < 0) std::swap(p.kx, p.ky);
 }
 
 /// How many rays from the first on go the same way, none along an axis: if not all, nothing is to
@@ -236,11 +253,7 @@ std::size_t gather(const WideQuery<float>& q, std::size_t first_ray, std::size_t
         p.bound[i] = std::numeric_limits<float>::lowest();
         p.least[i] = p.bound[i];
     }
-    const RayShear<float> first({p.origin[0][0], p.origin[1][0], p.origin[2][0]},
-                                {p.direction[0][0], p.direction[1][0], p.direction[2][0]});
-    p.kx = first.kx;
-    p.ky = first.ky;
-    p.kz = first.kz;
+    find_axes(p);
     constexpr float kMost = std::numeric_limits<float>::max();
     const Packet::D d;
     const auto zero = hn::Zero(d);

@@ -60,14 +60,16 @@ struct SlabLanes {
 
 template <class D>
 HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
     // Where it is the same, as one number: g++ would take it apart and put it together.
     if constexpr (std::endian::native == std::endian::little && hn::MaxLanes(D()) > 8) {
+        std::uint8_t both[8];  // two are written: set to 0 before, they would be read as four
+        hn::StoreMaskBits(d, mask, both);
         std::uint16_t bits = 0;
-        std::memcpy(&bits, bytes, sizeof(bits));
+        std::memcpy(&bits, both, sizeof(bits));
         return bits;
     }
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
     return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
