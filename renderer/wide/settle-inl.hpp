@@ -218,7 +218,6 @@ HWY_NOINLINE inline std::uint32_t put_in_order(const WideTree<float>& tree, Pack
                                                std::uint32_t triangle, const float* near,
                                                const float* far) {
     using D = hn::CappedTag<double, 8>;
-    using V = hn::Vec<D>;
     const D d;
     const hn::Rebind<float, D> df;
     const hn::RebindToUnsigned<decltype(df)> du;
