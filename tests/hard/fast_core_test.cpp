@@ -109,6 +109,35 @@ TEST_CASE("so many coherent rays are a packet, and one fewer are none") {
     CHECK(packet_rays(128 + kFew - 1) == (lanes ? 128 : 0));
 }
 
+TEST_CASE(
+    "packets among things far smaller than what is between their rays are given up, rightly") {
+    const bool lanes = renderer::instruction_sets().front() != "scalar";
+    // Eight by eight rays with 0.05 between them, through a cloud.
+    const auto ask_of_boxes = [&](int count, double size) {
+        SceneMaker make;
+        Random random(77);
+        make.plane({0, 0, 1}, -3);
+        for (int i = 0; i < count; ++i) {
+            const Vec3d at = random.point(0.3);
+            make.box(at, at + Vec3d{size, size, size});
+        }
+        Questions<float> q(make.scene);
+        for (int i = 0; i < 64 * 8; ++i) {
+            const Vec3d across{0.05 * (i % 8) - 0.19, 0.05 * (i / 8 % 8) - 0.19, 0};
+            q.ask(ray<float>({0.2 + 0.001 * (i / 64), 0.2, 4}, across - Vec3d{0.2, 0.2, 4}));
+        }
+        CHECK(q.differences() == "");
+        std::vector<renderer::Hit<float>> hits(64);
+        renderer::Counters counters;
+        closest_hits(q.fast, std::span<const renderer::Ray<float>>(q.rays).first(64),
+                     std::span<const renderer::Exclude>(q.excludes).first(64), std::span(hits),
+                     counters, renderer::Coherence::kCoherent);
+        return counters.packet_rays;
+    };
+    CHECK(ask_of_boxes(6000, 0.0005) == 0);
+    CHECK(ask_of_boxes(60, 0.1) == (lanes ? 64 : 0));
+}
+
 TEST_CASE("an answer that differs in its last bit is told of every core") {
     SceneMaker make;
     make.sphere({0, 0, 0}, 1);
