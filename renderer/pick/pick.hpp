@@ -47,7 +47,8 @@ inline constexpr std::uint32_t kMostPickNodes = 65536;
 /// Rays beyond this many are not followed: all that 20 bounces in glass make, some seconds.
 inline constexpr std::uint32_t kMostPickRays = 1U << 21U;
 
-/// The ray through the centre of pixel (x, y), y from the top, with no effect sampled, in double.
+/// The ray through the centre of pixel (x, y), y from the top, with no effect sampled, in the
+/// settings' precision: what a picture in that precision shows.
 PickTree pick(const ir::Scene& scene, const Settings& settings, std::uint32_t x, std::uint32_t y);
 
 }  // namespace cobble::renderer

@@ -47,7 +47,7 @@ TEST_CASE("a pick of nothing is the background") {
     const PickTree tree = renderer::pick(b.scene(), settings(9, 9), 0, 8);
     REQUIRE(tree.nodes.size() == 1);
     CHECK_FALSE(tree.nodes[0].hit);
-    CHECK(tree.nodes[0].color == Color{0.1, 0.2, 0.3});
+    CHECK(tree.nodes[0].color == Color{0.1F, 0.2F, 0.3F});
 }
 
 TEST_CASE("the tree's colour is the pixel's, lens, lights and time at their middle") {
@@ -87,6 +87,30 @@ TEST_CASE("the tree's colour is the pixel's, lens, lights and time at their midd
         }
     }
     CHECK(largest > 8);
+}
+
+TEST_CASE("what is picked is what a picture of the same precision shows, right or wrong") {
+    // A ball between two of float's steps where it is, for a box far behind the camera.
+    SceneBuilder b;
+    b.background({0.2, 0.4, 0.8}, {0.5, 0.5, 0.5});
+    b.camera({1e7, 0, 2}, {0, 0, -1}, 0.6);
+    b.material({0.9, 0.5, 0.1});
+    b.sphere({1e7 + 0.3, 0, 0}, 0.2);
+    b.box({-1, -1, -1}, {1, 1, 1});
+    std::vector<std::vector<bool>> hits_in;
+    for (const auto precision : {renderer::Precision::kFloat, renderer::Precision::kDouble}) {
+        CAPTURE(static_cast<int>(precision));
+        renderer::Settings s = settings(8, 8, 1);
+        s.precision = precision;
+        const Rendered picture = render(b.scene(), s);
+        std::vector<bool>& hits = hits_in.emplace_back();
+        for (std::uint32_t at = 0; at < 64; ++at) {
+            const PickTree tree = renderer::pick(b.scene(), s, at % 8, at / 8);
+            hits.push_back(tree.nodes[0].hit);
+            CHECK(math::length(tree.nodes[0].color - picture.color(at % 8, at / 8)) < 1e-6);
+        }
+    }
+    CHECK(hits_in[0] != hits_in[1]);
 }
 
 TEST_CASE("row 32: leaving glass leads to index 1 again, nested or from inside") {
