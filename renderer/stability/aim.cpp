@@ -108,6 +108,10 @@ Vec3d on_plane(const PlaneKey& plane, Vec3d eye, Choices& choices) {
 AimPoints::AimPoints(const ir::Scene& scene, ir::ObjectId object, Vec3d eye, const MeshEdges* edges)
     : scene_(&scene), id_(object), eye_(eye), edges_(edges) {}
 
+bool AimPoints::is_inner(std::uint32_t i) {
+    return static_cast<Feature>(i % kFeatures) == Feature::kFace;
+}
+
 Vec3d AimPoints::point(std::uint32_t i) const {
     Choices choices(id_.value, i);
     const auto feature = static_cast<Feature>(i % kFeatures);

@@ -25,6 +25,10 @@ class AimPoints {
 
     [[nodiscard]] math::Vec3d point(std::uint32_t i) const;
 
+    /// Whether that is one of a face or of the side that is seen, and so not at an outline on
+    /// purpose.
+    static bool is_inner(std::uint32_t i);
+
   private:
     const ir::Scene* scene_;
     ir::ObjectId id_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "ir/math/elementary.hpp"
@@ -93,6 +94,11 @@ class Measurement {
                 done += part;
             }
         }
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (result_.objects[i].hits > 0) continue;
+            if (!step(1)) return;
+            look_for_lost({i});
+        }
     }
 
     /// False if that is enough.
@@ -139,6 +145,27 @@ class Measurement {
         result_.rays += aims.size();
         result_.objects[id.value].rays += aims.size();
         judge(aims, false);
+    }
+
+    /// What float sees along no ray is hidden or lost: it is lost if double sees a face of it where
+    /// the camera and the face are. Float was aimed at the same points, and narrowing, which moved
+    /// both, may have left nothing to be seen: that is what rounding does, and no excuse.
+    void look_for_lost(ir::ObjectId id) {
+        const AimPoints points(source_, id, source_.camera.center, nullptr);
+        const Vec3d eye = wide_.to_local(source_.camera.center);
+        const std::uint32_t share = share_of(id.value);
+        for (std::uint32_t i = 0; i < share; ++i) {
+            if (!AimPoints::is_inner(i)) continue;
+            Seen<double> seen;
+            seen.ray.origin = eye;
+            seen.ray.direction = wide_.to_local(points.point(i)) - eye;
+            if (!finite(seen.ray.direction) || seen.ray.direction == Vec3d{}) continue;
+            seen.hit = closest_hit(wide_, seen.ray, {}, counters_);
+            if (!seen.hit || seen.hit.object != id) continue;
+            seen.point = surface_at(wide_, seen.ray, seen.hit);
+            ++result_.objects[id.value].lost;
+            keep_example(StabilityFault::kLost, seen);
+        }
     }
 
     /// Nothing for what is no mesh, or too large a one.
@@ -312,7 +339,8 @@ class Measurement {
         ObjectStability& object = result_.objects[seen.hit.object.value];
         if (object.example) return;
         const Vec3d local = seen.point.position.template to<double>();
-        object.example = {fault, local + narrow_.origin, seen.hit.face};
+        const Vec3d origin = std::is_same_v<T, float> ? narrow_.origin : wide_.origin;
+        object.example = {fault, local + origin, seen.hit.face};
     }
 
     const ir::Scene& source_;

@@ -12,6 +12,8 @@
 // - a self-hit: a ray that leaves a float hit as shading does meets, within the bound that it
 //   started at, the same surface or one that lies with it, from behind, and no ray that leaves the
 //   hits in double so meets anything so near.
+// - lost: an object that no ray in float meets, though rays in double at its faces, from where the
+//   camera is and to where the object is before either is narrowed, meet it first.
 // None is expected: each is a fault of the renderer or of what the scene asks of float. Where float
 // and double name two different primitives, within rounding or not, arithmetic of 106 binary digits
 // says which of them is met first.
@@ -55,7 +57,7 @@ inline constexpr std::uint64_t kLargestShare = 100;
 /// smallest: neighbouring pixels may see the same.
 inline constexpr double kFewUlps = 4;
 
-enum class StabilityFault : std::uint8_t { kCrack, kChanged, kSelfHit };
+enum class StabilityFault : std::uint8_t { kCrack, kChanged, kSelfHit, kLost };
 
 /// How finely float can tell points apart at a hit.
 struct PixelPrecision {
@@ -78,6 +80,9 @@ struct ObjectStability {
     std::uint64_t cracks = 0;
     std::uint64_t changed = 0;
     std::uint64_t self_hits = 0;
+    /// Rays along which double sees it, which float sees along none at all. Not looked for where
+    /// the measurement was stopped.
+    std::uint64_t lost = 0;
     /// The least at a hit that its rays, or others, had on it. Infinite without hits.
     double least_ulps = std::numeric_limits<double>::infinity();
 
@@ -88,7 +93,7 @@ struct ObjectStability {
     };
     std::optional<Example> example;  ///< the first fault
 
-    [[nodiscard]] std::uint64_t faults() const { return cracks + changed + self_hits; }
+    [[nodiscard]] std::uint64_t faults() const { return cracks + changed + self_hits + lost; }
 };
 
 /// Rays along which float and double name different primitives, explained by rounding or not, by
@@ -111,7 +116,7 @@ struct Stability {
     std::optional<PixelPrecision> worst;  ///< the least ulps of all hits
     std::vector<PreparationNote> notes;   ///< of preparing the scene in float
 
-    /// No cracks, changed hits or self-hits.
+    /// No cracks, changed hits, self-hits or lost objects.
     [[nodiscard]] bool clean() const;
 };
 

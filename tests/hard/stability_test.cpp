@@ -181,11 +181,39 @@ TEST_CASE("stability: tiny things 1e7 away from another leave no precision, and 
     CHECK(entry_of(stability, ball).least_ulps < 0.5);
     CHECK(entry_of(stability, ball).least_ulps > 1e-3);
     CHECK(entry_of(stability, speck).hits == 0);
-    CHECK(stability.objects.front().object == ball);
+    CHECK(entry_of(stability, speck).lost > 0);
+    CHECK(stability.objects[0].object == speck);
+    CHECK(stability.objects[1].object == ball);
     REQUIRE(stability.notes.size() == 1);
     CHECK(stability.notes[0].object == speck);
     CHECK(stability.notes[0].kind == renderer::PreparationNote::Kind::kFlattened);
     CHECK(far.valid());
+}
+
+TEST_CASE("stability: an object that float sees nothing of is lost if double sees it") {
+    SceneMaker make;
+    const Vec3d there{1e7, 0, 0};
+    // Camera and mesh are one point in float, a half is a step.
+    const auto speck = make.mesh(transformed(icosphere(1), 0.01, there));
+    const auto behind = make.sphere(there - Vec3d{0, 0, 1}, 1e-3);
+    make.box({-1, -2, -1}, {1, -1, 1});
+    make.scene.camera.center = there + Vec3d{0, 0, 0.08};
+    const Stability lost = measure_stability(make.scene, rays(20000));
+    CHECK(!lost.clean());
+    const ObjectStability& entry = entry_of(lost, speck);
+    CHECK(entry.hits == 0);
+    CHECK(entry.lost > 40);
+    REQUIRE(entry.example);
+    CHECK(entry.example->fault == renderer::StabilityFault::kLost);
+    CHECK(length(entry.example->position - there) < 0.011);
+    // Hidden from double too: nothing is lost.
+    CHECK(entry_of(lost, behind).lost == 0);
+    // Nor without the wide scene around it.
+    make.scene.objects.pop_back();
+    const Stability good = measure_stability(make.scene, rays(20000));
+    CHECK(good.clean());
+    CHECK(entry_of(good, speck).hits > 40);
+    CHECK(entry_of(good, speck).lost == 0);
 }
 
 TEST_CASE("stability: what float cannot hold is noted") {
@@ -196,6 +224,7 @@ TEST_CASE("stability: what float cannot hold is noted") {
     make.sphere({0, 0, -5}, 1);
     const Stability stability = measure_stability(make.scene, rays(1000));
     CHECK(entry_of(stability, wall).hits == 0);
+    CHECK(entry_of(stability, wall).lost > 0);
     REQUIRE(stability.notes.size() == 1);
     CHECK(stability.notes[0].kind == renderer::PreparationNote::Kind::kOutOfRange);
 }

@@ -212,10 +212,12 @@ void add_stability(CLI::App& app, Context& context) {
         "Rays from the camera at vertices, edges, outlines and faces, and rays that leave what "
         "they hit,\nare cast in float, by the kernels that render, and in double.\n"
         "A crack: float sees through. Changed: it sees what is not there. A self-hit: a ray that "
-        "leaves\na surface meets it again. Each is counted only beyond what rounding explains, and "
-        "none is\nexpected. ulps/pixel: the least number of float's steps across a pixel of the "
-        "object; below 4\nneighbours look alike. Exit status 1 if there is a crack, a changed hit "
-        "or a self-hit, or a\nscene that has errors.");
+        "leaves\na surface meets it again. Each is counted only beyond what rounding explains. "
+        "Lost: "
+        "rays in\ndouble that see an object which float sees nothing of. None is expected. "
+        "ulps/pixel: the least number of float's steps across a pixel of the "
+        "object; below 4\nneighbours look alike. Exit status 1 if there is a crack, a changed hit, "
+        "a self-hit or\na lost object, or a scene that has errors.");
     sub->callback([options, &context] {
         context.run = [options, &context] { return StabilityCommand(*options, context).run(); };
     });

@@ -35,6 +35,8 @@ std::string_view name_of(StabilityFault fault) {
             return "changed";
         case StabilityFault::kSelfHit:
             return "self-hit";
+        case StabilityFault::kLost:
+            return "lost";
     }
     return "?";
 }
@@ -47,25 +49,26 @@ std::string_view words_of(StabilityFault fault) {
 std::string steps_text(double ulps) { return ulps < 1e6 ? fmt::format("{:.3g}", ulps) : "> 1e+06"; }
 
 struct Faults {
-    std::uint64_t cracks = 0, changed = 0, self_hits = 0;
+    std::uint64_t cracks = 0, changed = 0, self_hits = 0, lost = 0;
 
     void add(const ObjectStability& object) {
         cracks += object.cracks;
         changed += object.changed;
         self_hits += object.self_hits;
+        lost += object.lost > 0 ? 1 : 0;
     }
-    [[nodiscard]] bool any() const { return cracks + changed + self_hits > 0; }
-    /// All three, or those that there are.
+    [[nodiscard]] bool any() const { return cracks + changed + self_hits + lost > 0; }
+    /// The kinds that there are; with `all`, the first three in any case.
     [[nodiscard]] std::string text(bool all) const {
         std::string words;
         const auto add = [&](std::uint64_t count, std::string_view what) {
-            if (count == 0 && !all) return;
             if (!words.empty()) words += ", ";
             words += counted(count, what);
         };
-        add(cracks, "crack");
-        add(changed, "changed hit");
-        add(self_hits, "self-hit");
+        if (all || cracks > 0) add(cracks, "crack");
+        if (all || changed > 0) add(changed, "changed hit");
+        if (all || self_hits > 0) add(self_hits, "self-hit");
+        if (lost > 0) add(lost, "lost object");
         return words;
     }
 };
@@ -76,41 +79,62 @@ Faults faults_of(const renderer::Stability& stability) {
     return faults;
 }
 
+/// "far.scene:33:5: WHAT: WHERE" in colours.
+std::string fault_line(std::string_view place, std::string_view what, std::string_view where,
+                       const ReportStyle& style) {
+    return fmt::format("{}{}{}: {}\n", painted(kBold, place, style), place.empty() ? "" : ": ",
+                       painted(kRed, what, style), painted(kBold, where, style));
+}
+
 /// What an object's faults are and where the first of them is, with its line.
 std::string fault_text(const StabilityReport& report, const ObjectStability& entry,
                        Positions& positions, const ReportStyle& style) {
     const ir::Object& object = report.scene.objects[entry.object.value];
+    const std::string_view kind = block_name(object.kind);
+    const std::string place = place_of(object.span, positions);
+    std::string text;
+    std::string first;
+    if (entry.example) {
+        const math::Vec3d p = entry.example->position;
+        const std::string face =
+            place_of(face_span(report.scene, object, entry.example->face), positions);
+        first = fmt::format("{:.9g} {:.9g} {:.9g}{}{}", p.x, p.y, p.z,
+                            face.empty() ? "" : ", face ", face);
+    }
     Faults faults;
     faults.add(entry);
-    const math::Vec3d p = entry.example->position;
-    const std::string face =
-        place_of(face_span(report.scene, object, entry.example->face), positions);
-    const std::string place = place_of(object.span, positions);
-    std::string text =
-        fmt::format("{}{}{}: {}\n", painted(kBold, place, style), place.empty() ? "" : ": ",
-                    painted(kRed, faults.text(false), style),
-                    painted(kBold,
-                            fmt::format("on the {}, the first (a {}) at {:.9g} {:.9g} {:.9g}{}{}",
-                                        block_name(object.kind), words_of(entry.example->fault),
-                                        p.x, p.y, p.z, face.empty() ? "" : ", face ", face),
-                            style));
+    faults.lost = 0;
+    if (faults.any()) {
+        text += fault_line(place, faults.text(false),
+                           fmt::format("on the {}, the first (a {}) at {}", kind,
+                                       words_of(entry.example->fault), first),
+                           style);
+    } else if (entry.lost > 0) {
+        text +=
+            fault_line(place, "lost",
+                       fmt::format("double sees the {} along {}, float along none, such as at {}",
+                                   kind, counted(entry.lost, "ray"), first),
+                       style);
+    }
     if (object.span.valid()) text += excerpt_of(object.span, positions, style, kRed);
     return text;
 }
 
+constexpr std::string_view kRow = "{:>7} {:>7} {:>7} {:>8} {:>10} {:>6} {:>11}  {}\n";
+
 std::string table(const StabilityReport& report, Positions& positions) {
     const auto& objects = report.stability.objects;
-    std::string text = fmt::format("{:>7} {:>7} {:>7} {:>8} {:>10} {:>11}  {}\n", "rays", "hits",
-                                   "cracks", "changed", "self-hits", "ulps/pixel", "object");
+    std::string text = fmt::format(kRow, "rays", "hits", "cracks", "changed", "self-hits", "lost",
+                                   "ulps/pixel", "object");
     std::size_t shown = 0;
     for (const ObjectStability& entry : objects) {
         if (shown >= kEnough) break;
         ++shown;
         const ir::Object& object = report.scene.objects[entry.object.value];
-        text += fmt::format("{:>7} {:>7} {:>7} {:>8} {:>10} {:>11}  {}\n", entry.rays, entry.hits,
-                            entry.cracks, entry.changed, entry.self_hits,
-                            entry.hits == 0 ? "-" : steps_text(entry.least_ulps),
-                            named(block_name(object.kind), object.label, object.span, positions));
+        text +=
+            fmt::format(kRow, entry.rays, entry.hits, entry.cracks, entry.changed, entry.self_hits,
+                        entry.lost, entry.hits == 0 ? "-" : steps_text(entry.least_ulps),
+                        named(block_name(object.kind), object.label, object.span, positions));
     }
     if (shown < objects.size()) {
         text += fmt::format("and {}, none of them worse (--format json has all)\n",
@@ -154,7 +178,7 @@ Shortcomings shortcomings_of(const renderer::Stability& stability) {
     Shortcomings sum;
     for (const ObjectStability& object : stability.objects) {
         sum.few += object.least_ulps < renderer::kFewUlps ? 1 : 0;
-        sum.unseen += object.hits == 0 ? 1 : 0;
+        sum.unseen += object.hits == 0 && object.lost == 0 ? 1 : 0;
     }
     return sum;
 }
@@ -193,8 +217,9 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
             counted(few, "object"), renderer::kFewUlps);
     }
     if (unseen > 0) {
-        text += fmt::format("{} that no ray hit: hidden from the camera, or not there in float\n",
-                            counted(unseen, "object"));
+        text += fmt::format(
+            "{} that no ray hit, in double either: hidden from the camera, or never there\n",
+            counted(unseen, "object"));
     }
     if (faults.any()) {
         text +=
@@ -232,6 +257,7 @@ Json object_entry(const StabilityReport& report, const ObjectStability& entry,
                  {"cracks", entry.cracks},
                  {"changed", entry.changed},
                  {"self_hits", entry.self_hits},
+                 {"lost", entry.lost},
                  {"least_ulps_per_pixel", nullptr}};
     if (entry.hits > 0) json["least_ulps_per_pixel"] = entry.least_ulps;
     if (!entry.example) return json;
