@@ -64,7 +64,7 @@ class Measurement {
             entry.closed = edges != nullptr && edges->closed();
         }
         const auto rank = [](const ObjectStability& o) {
-            return std::tuple(~o.faults(), o.least_ulps, o.object);
+            return std::tuple(~o.faults(), o.least_ulps(), o.object);
         };
         std::sort(result_.objects.begin(), result_.objects.end(),
                   [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
@@ -325,8 +325,9 @@ class Measurement {
         at.object = seen.hit.object;
         ObjectStability& object = result_.objects[at.object.value];
         ++object.hits;
-        object.least_ulps = std::min(object.least_ulps, at.ulps());
-        if (!result_.worst || at.ulps() < result_.worst->ulps()) result_.worst = at;
+        for (auto* worst : {&object.worst, &result_.worst}) {
+            if (!*worst || at.ulps() < (*worst)->ulps()) *worst = at;
+        }
         if (!picture) return;
         auto& nearest = result_.nearest;
         auto& farthest = result_.farthest;
@@ -359,7 +360,7 @@ class Measurement {
 
 bool Stability::clean() const {
     return std::all_of(objects.begin(), objects.end(),
-                       [](const ObjectStability& object) { return object.faults() == 0; });
+                       [](const ObjectStability& object) { return object.sound(); });
 }
 
 Stability measure_stability(const ir::Scene& scene, const StabilityOptions& options) {

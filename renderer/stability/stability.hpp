@@ -14,6 +14,8 @@
 //   hits in double so meets anything so near.
 // - lost: an object that no ray in float meets, though rays in double at its faces, from where the
 //   camera is and to where the object is before either is narrowed, meet it first.
+// - too coarse: an object with a hit where a pixel is narrower than a step of float, so that
+//   neighbouring pixels are one.
 // None is expected: each is a fault of the renderer or of what the scene asks of float. Where float
 // and double name two different primitives, within rounding or not, arithmetic of 106 binary digits
 // says which of them is met first.
@@ -57,6 +59,9 @@ inline constexpr std::uint64_t kLargestShare = 100;
 /// smallest: neighbouring pixels may see the same.
 inline constexpr double kFewUlps = 4;
 
+/// Below this many float is too coarse: its steps are wider than pixels, and can be seen.
+inline constexpr double kLeastUlps = 1;
+
 enum class StabilityFault : std::uint8_t { kCrack, kChanged, kSelfHit, kLost };
 
 /// How finely float can tell points apart at a hit.
@@ -83,17 +88,23 @@ struct ObjectStability {
     /// Rays along which double sees it, which float sees along none at all. Not looked for where
     /// the measurement was stopped.
     std::uint64_t lost = 0;
-    /// The least at a hit that its rays, or others, had on it. Infinite without hits.
-    double least_ulps = std::numeric_limits<double>::infinity();
+    std::optional<PixelPrecision> worst;  ///< the least ulps of all hits on it
 
     struct Example {
         StabilityFault fault = StabilityFault::kCrack;
         math::Vec3d position;  ///< world
         std::uint32_t face = 0;
     };
-    std::optional<Example> example;  ///< the first fault
+    std::optional<Example> example;  ///< the first fault along a ray
 
+    /// Along rays.
     [[nodiscard]] std::uint64_t faults() const { return cracks + changed + self_hits + lost; }
+    /// Infinite without hits.
+    [[nodiscard]] double least_ulps() const {
+        return worst ? worst->ulps() : std::numeric_limits<double>::infinity();
+    }
+    [[nodiscard]] bool too_coarse() const { return least_ulps() < kLeastUlps; }
+    [[nodiscard]] bool sound() const { return faults() == 0 && !too_coarse(); }
 };
 
 /// Rays along which float and double name different primitives, explained by rounding or not, by
@@ -116,7 +127,7 @@ struct Stability {
     std::optional<PixelPrecision> worst;  ///< the least ulps of all hits
     std::vector<PreparationNote> notes;   ///< of preparing the scene in float
 
-    /// No cracks, changed hits, self-hits or lost objects.
+    /// All objects are sound: no cracks, changed hits or self-hits, none lost or too coarse.
     [[nodiscard]] bool clean() const;
 };
 

@@ -89,6 +89,27 @@ TEST_CASE("stability: a sound scene is reported clean") {
     CHECK(json.find("\"clean\": true") != std::string::npos);
 }
 
+TEST_CASE("stability: where float is too coarse the report says by how much, and what to do") {
+    const Written written;
+    renderer::Stability stability = written.measure(test::sound);
+    auto& worst = stability.objects.front();
+    worst.object = ir::ObjectId{1};
+    worst.worst = renderer::PixelPrecision{10, 0.125, 0.5, {1, 2, 3}, worst.object};
+    const std::string text = written.text(stability);
+    CAPTURE(text);
+    CHECK(text.starts_with(
+        "a.scene:3:5: float is too coarse: a pixel of the Triangle is 0.25 of its steps at 1 2 3: "
+        "0.125 wide, where floats are 0.5 apart\n"));
+    CHECK(text.find("^^^^^^^^") != std::string::npos);
+    CHECK(text.find("--precision double renders") != std::string::npos);
+    CHECK(text.find("float is good enough") == std::string::npos);
+    CHECK(
+        text.ends_with(" 0 cracks, 0 changed hits, 0 self-hits, float too coarse for 1 object\n"));
+    const StabilityReport report{stability, written.scene, written.sources, "a.scene", 640, 480};
+    CHECK(stability_line(report).starts_with("a.scene: float too coarse for 1 object, "));
+    CHECK(pretty(stability_to_json(report)).find("\"clean\": false") != std::string::npos);
+}
+
 TEST_CASE("stability: an object is counted once, as what float lost or as what was never there") {
     const Written written;
     renderer::Stability stability = written.measure(test::sound);

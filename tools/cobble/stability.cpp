@@ -214,10 +214,12 @@ void add_stability(CLI::App& app, Context& context) {
         "A crack: float sees through. Changed: it sees what is not there. A self-hit: a ray that "
         "leaves\na surface meets it again. Each is counted only beyond what rounding explains. "
         "Lost: "
-        "rays in\ndouble that see an object which float sees nothing of. None is expected. "
-        "ulps/pixel: the least number of float's steps across a pixel of the "
-        "object; below 4\nneighbours look alike. Exit status 1 if there is a crack, a changed hit, "
-        "a self-hit or\na lost object, or a scene that has errors.");
+        "rays in\ndouble that see an object which float sees nothing of. None is expected.\n"
+        "ulps/pixel: the "
+        "least number of float's steps\nacross a pixel of the object: below 4 neighbours may look "
+        "alike, below 1 float is too coarse.\nExit status 1 if there is a crack, a changed hit, a "
+        "self-hit, an object lost or one that float\nis too coarse for, or a scene that has "
+        "errors.");
     sub->callback([options, &context] {
         context.run = [options, &context] { return StabilityCommand(*options, context).run(); };
     });

@@ -49,15 +49,18 @@ std::string_view words_of(StabilityFault fault) {
 std::string steps_text(double ulps) { return ulps < 1e6 ? fmt::format("{:.3g}", ulps) : "> 1e+06"; }
 
 struct Faults {
-    std::uint64_t cracks = 0, changed = 0, self_hits = 0, lost = 0;
+    std::uint64_t cracks = 0, changed = 0, self_hits = 0, lost = 0, too_coarse = 0;
 
     void add(const ObjectStability& object) {
         cracks += object.cracks;
         changed += object.changed;
         self_hits += object.self_hits;
         lost += object.lost > 0 ? 1 : 0;
+        too_coarse += object.too_coarse() ? 1 : 0;
     }
-    [[nodiscard]] bool any() const { return cracks + changed + self_hits + lost > 0; }
+    /// Along rays that float saw something along, which number types do not explain.
+    [[nodiscard]] bool hits() const { return cracks + changed + self_hits > 0; }
+    [[nodiscard]] bool any() const { return hits() || lost + too_coarse > 0; }
     /// The kinds that there are; with `all`, the first three in any case.
     [[nodiscard]] std::string text(bool all) const {
         std::string words;
@@ -69,6 +72,10 @@ struct Faults {
         if (all || changed > 0) add(changed, "changed hit");
         if (all || self_hits > 0) add(self_hits, "self-hit");
         if (lost > 0) add(lost, "lost object");
+        if (too_coarse > 0) {
+            words += words.empty() ? "" : ", ";
+            words += "float too coarse for " + counted(too_coarse, "object");
+        }
         return words;
     }
 };
@@ -101,10 +108,7 @@ std::string fault_text(const StabilityReport& report, const ObjectStability& ent
         first = fmt::format("{:.9g} {:.9g} {:.9g}{}{}", p.x, p.y, p.z,
                             face.empty() ? "" : ", face ", face);
     }
-    Faults faults;
-    faults.add(entry);
-    faults.lost = 0;
-    if (faults.any()) {
+    if (const Faults faults{entry.cracks, entry.changed, entry.self_hits}; faults.any()) {
         text += fault_line(place, faults.text(false),
                            fmt::format("on the {}, the first (a {}) at {}", kind,
                                        words_of(entry.example->fault), first),
@@ -115,6 +119,17 @@ std::string fault_text(const StabilityReport& report, const ObjectStability& ent
                        fmt::format("double sees the {} along {}, float along none, such as at {}",
                                    kind, counted(entry.lost, "ray"), first),
                        style);
+    }
+    if (entry.too_coarse()) {
+        const PixelPrecision& at = *entry.worst;
+        const math::Vec3d p = at.position;
+        text += fault_line(
+            place, "float is too coarse",
+            fmt::format(
+                "a pixel of the {} is {} of its steps at {:.9g} {:.9g} {:.9g}: {:.3g} wide, "
+                "where floats are {:.3g} apart",
+                kind, steps_text(at.ulps()), p.x, p.y, p.z, at.pixel, at.step),
+            style);
     }
     if (object.span.valid()) text += excerpt_of(object.span, positions, style, kRed);
     return text;
@@ -133,7 +148,7 @@ std::string table(const StabilityReport& report, Positions& positions) {
         const ir::Object& object = report.scene.objects[entry.object.value];
         text +=
             fmt::format(kRow, entry.rays, entry.hits, entry.cracks, entry.changed, entry.self_hits,
-                        entry.lost, entry.hits == 0 ? "-" : steps_text(entry.least_ulps),
+                        entry.lost, entry.worst ? steps_text(entry.least_ulps()) : "-",
                         named(block_name(object.kind), object.label, object.span, positions));
     }
     if (shown < objects.size()) {
@@ -177,7 +192,8 @@ struct Shortcomings {
 Shortcomings shortcomings_of(const renderer::Stability& stability) {
     Shortcomings sum;
     for (const ObjectStability& object : stability.objects) {
-        sum.few += object.least_ulps < renderer::kFewUlps ? 1 : 0;
+        const bool few = object.least_ulps() < renderer::kFewUlps;
+        sum.few += few && !object.too_coarse() ? 1 : 0;
         sum.unseen += object.hits == 0 && object.lost == 0 ? 1 : 0;
     }
     return sum;
@@ -212,8 +228,8 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
     std::string text;
     if (few > 0) {
         text += fmt::format(
-            "{} with pixels of less than {} ulps of float: it has too few digits "
-            "there; --precision double has more\n",
+            "{} with pixels of less than {} steps of float, where neighbours may look alike; "
+            "--precision double has more\n",
             counted(few, "object"), renderer::kFewUlps);
     }
     if (unseen > 0) {
@@ -221,10 +237,12 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
             "{} that no ray hit, in double either: hidden from the camera, or never there\n",
             counted(unseen, "object"));
     }
-    if (faults.any()) {
+    if (faults.hits()) {
         text +=
             "where float is too coarse, `cobble lint` says by how much and --precision double "
             "renders it; elsewhere a fault is one of the renderer\n";
+    } else if (faults.any()) {
+        text += "float is not good enough: --precision double renders what it loses or coarsens\n";
     } else if (few == 0 && lost_of(s).by_float == 0 && s.worst) {
         text += fmt::format(
             "float is good enough: a pixel is {} of its steps wide at least, and {} would do\n",
@@ -258,8 +276,9 @@ Json object_entry(const StabilityReport& report, const ObjectStability& entry,
                  {"changed", entry.changed},
                  {"self_hits", entry.self_hits},
                  {"lost", entry.lost},
+                 {"too_coarse", entry.too_coarse()},
                  {"least_ulps_per_pixel", nullptr}};
-    if (entry.hits > 0) json["least_ulps_per_pixel"] = entry.least_ulps;
+    if (entry.worst) json["least_ulps_per_pixel"] = entry.least_ulps();
     if (!entry.example) return json;
     const math::Vec3d p = entry.example->position;
     Json first = {{"kind", name_of(entry.example->fault)},
@@ -283,7 +302,7 @@ std::string stability_to_text(const StabilityReport& report, const ReportStyle& 
     std::string text;
     std::size_t shown = 0;
     for (const ObjectStability& entry : report.stability.objects) {
-        if (!entry.example || ++shown > kEnough) break;
+        if (entry.sound() || ++shown > kEnough) break;
         text += fault_text(report, entry, positions, style);
     }
     return text + table(report, positions) + precision(report, positions) +
