@@ -13,7 +13,7 @@
 #include "renderer/accel/tree_limits.hpp"
 #include "renderer/accel/wide_builder.hpp"
 #include "renderer/geometry/bounds.hpp"
-#include "renderer/geometry/wide.hpp"
+#include "renderer/scene/flat.hpp"
 #include "renderer/scene/instance_bounds.hpp"
 #include "renderer/scene/narrow_mesh.hpp"
 #include "renderer/scene/prepared_scene.hpp"
@@ -37,14 +37,6 @@ bool in_range(T x) {
 template <typename T>
 bool in_range(Vec3<T> p) {
     return in_range(p.x) && in_range(p.y) && in_range(p.z);
-}
-
-/// The vertices are collinear, exactly.
-template <typename T>
-bool flat(const std::array<Vec3<T>, 3>& v) {
-    using W = Wide<T>;
-    const Vec3<W> n = cross(widen(v[1]) - widen(v[0]), widen(v[2]) - widen(v[0]));
-    return n.x == W(0) && n.y == W(0) && n.z == W(0);
 }
 
 /// Room for `a + f (b - a)` in T: its three roundings err by less than 5 times half an epsilon of

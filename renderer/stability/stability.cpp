@@ -17,6 +17,7 @@
 #include "renderer/intersect/surface.hpp"
 #include "renderer/job/fp_environment.hpp"
 #include "renderer/stability/aim.hpp"
+#include "renderer/stability/flattened.hpp"
 #include "renderer/stability/judge.hpp"
 #include "renderer/stability/random.hpp"
 
@@ -32,6 +33,8 @@ constexpr std::uint32_t kColumns = 64;
 constexpr std::uint32_t kRows = 48;
 // Rays that leave each hit.
 constexpr std::uint32_t kDepartures = 4;
+// Of a pixel: what covers less cannot be seen.
+constexpr double kLeastSeen = 1e-3;
 // Meshes of more faces get no outline: the sort would take longer than all rays.
 constexpr std::size_t kMostFaces = std::size_t{1} << 21;
 
@@ -63,6 +66,7 @@ class Measurement {
             const MeshEdges* edges = edges_of(source_.objects[entry.object.value]);
             entry.closed = edges != nullptr && edges->closed();
         }
+        count_faces();
         const auto rank = [](const ObjectStability& o) {
             return std::tuple(~o.faults(), o.least_ulps(), o.object);
         };
@@ -165,6 +169,24 @@ class Measurement {
             seen.point = surface_at(wide_, seen.ray, seen.hit);
             ++result_.objects[id.value].lost;
             keep_example(StabilityFault::kLost, seen);
+        }
+    }
+
+    void count_faces() {
+        using Kind = PreparationNote::Kind;
+        for (ObjectStability& entry : result_.objects) {
+            const ir::Object& object = source_.objects[entry.object.value];
+            if (object.kind != ir::ShapeKind::kMesh) continue;
+            entry.faces = source_.meshes[object.shape].faces.size();
+        }
+        for (const PreparationNote& note : narrow_.notes) {
+            ObjectStability& entry = result_.objects[note.object.value];
+            const bool flattened = note.kind == Kind::kFlattened;
+            if (note.kind == Kind::kSingular) entry.faces_lost = entry.faces;
+            if (note.kind == Kind::kOutOfRange ||
+                (flattened && flattened_pixels(narrow_, source_, note, pixel_) > kLeastSeen)) {
+                entry.faces_lost += note.count;
+            }
         }
     }
 

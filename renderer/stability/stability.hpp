@@ -89,6 +89,10 @@ struct ObjectStability {
     /// the measurement was stopped.
     std::uint64_t lost = 0;
     std::optional<PixelPrecision> worst;  ///< the least ulps of all hits on it
+    std::uint64_t faces = 1;              ///< of a mesh; anything else is one
+    /// Those that are not there in float, as the notes say, if they can be seen: they would cover
+    /// more than a thousandth of a pixel together.
+    std::uint64_t faces_lost = 0;
 
     struct Example {
         StabilityFault fault = StabilityFault::kCrack;

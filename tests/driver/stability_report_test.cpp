@@ -110,7 +110,7 @@ TEST_CASE("stability: where float is too coarse the report says by how much, and
     CHECK(pretty(stability_to_json(report)).find("\"clean\": false") != std::string::npos);
 }
 
-TEST_CASE("stability: an object is counted once, as what float lost or as what was never there") {
+TEST_CASE("stability: what float lost of a mesh is told in faces, and needles are not") {
     const Written written;
     renderer::Stability stability = written.measure(test::sound);
     using Kind = renderer::PreparationNote::Kind;
@@ -118,14 +118,32 @@ TEST_CASE("stability: an object is counted once, as what float lost or as what w
         return stability_line({stability, written.scene, written.sources, "a.scene", 640, 480});
     };
     const auto ends = [&](std::string_view end) { return line().ends_with(end); };
-    stability.notes = {{Kind::kDegenerate, ir::ObjectId{0}, 0, 3}};
-    CHECK(ends("at least, 1 object without extent, or in part\n"));
+    auto& entry = stability.objects.front();
+    stability.notes = {{Kind::kDegenerate, entry.object, 0, 1}};
+    CHECK(ends("at least, 1 object without extent\n"));
     CHECK(written.text(stability).find("float is good enough") != std::string::npos);
-    stability.notes = {{Kind::kFlattened, ir::ObjectId{0}, 0, 3},
-                       {Kind::kOutOfRange, ir::ObjectId{0}, 4, 1},
-                       {Kind::kDegenerate, ir::ObjectId{1}, 0, 1}};
-    CHECK(ends("at least, 1 object lost by float, 1 object without extent, or in part\n"));
+    CHECK(written.text(stability).find("has no extent") != std::string::npos);
+    // Some faces of a mesh: nothing that anybody would see.
+    entry.faces = 9;
+    CHECK(ends("steps of float at least\n"));
+    CHECK(written.text(stability).find("has no extent") == std::string::npos);
+    stability.notes = {{Kind::kFlattened, entry.object, 0, 3}};
+    CHECK(ends("steps of float at least\n"));
+    CHECK(written.text(stability).find("too small") == std::string::npos);
+    // Those that can be seen.
+    entry.faces_lost = 3;
+    CHECK(line().starts_with("a.scene: sound, "));
+    CHECK(ends("at least, lost in part: 3 of 9 faces\n"));
+    CHECK(written.text(stability).find("too small") != std::string::npos);
     CHECK(written.text(stability).find("float is good enough") == std::string::npos);
+    // All of them, where double does not see the object either.
+    entry.faces_lost = 9;
+    CHECK(ends("at least, 1 object out of sight not there in float\n"));
+    // Where it does, that is the fault.
+    entry.lost = 50;
+    entry.example = {renderer::StabilityFault::kLost, {1, 2, 3}, 0};
+    CHECK(ends("steps of float at least\n"));
+    CHECK(line().starts_with("a.scene: 1 lost object, "));
 }
 
 }  // namespace cobble::driver

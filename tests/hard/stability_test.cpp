@@ -237,6 +237,38 @@ TEST_CASE("stability: an object that float sees nothing of is lost if double see
     CHECK(entry_of(good, speck).lost == 0);
 }
 
+TEST_CASE("stability: faces that float flattens count as lost if they can be seen") {
+    using Kind = renderer::PreparationNote::Kind;
+    const auto with_face = [](Solid solid, Vec3d a, Vec3d b, Vec3d c) {
+        const auto first = static_cast<std::uint32_t>(solid.positions.size());
+        for (const Vec3d p : {a, b, c}) solid.positions.push_back(p);
+        solid.faces.push_back({first, first + 1, first + 2});
+        return solid;
+    };
+    // A needle of no width to speak of.
+    SceneMaker needle;
+    needle.mesh(with_face(icosphere(1), {1, 2, 0}, {1, 3, 0}, {std::nextafter(1.0, 2.0), 2.5, 0}));
+    needle.scene.camera.center = {0, 0, 9};
+    const Stability fine = measure_stability(needle.scene, rays(10000));
+    CHECK(fine.clean());
+    REQUIRE(fine.notes.size() == 1);
+    CHECK(fine.notes[0].kind == Kind::kFlattened);
+    CHECK(fine.objects[0].faces == 81);
+    CHECK(fine.objects[0].faces_lost == 0);
+    // A crumb of a pixel or two where the steps of float are a half.
+    SceneMaker crumb;
+    const Vec3d there{1e7, 0, 0};
+    crumb.mesh(with_face(transformed(icosphere(1), 10, there), there + Vec3d{15.1, 0, 0},
+                         there + Vec3d{15.2, 0, 0}, there + Vec3d{15.1, 0.1, 0}));
+    crumb.sphere({0, 0, 0}, 1);
+    crumb.scene.camera.center = there + Vec3d{0, 0, 40};
+    const Stability part = measure_stability(crumb.scene, rays(10000));
+    CHECK(!part.clean());
+    CHECK(part.objects[0].faces_lost == 1);
+    CHECK(part.objects[0].faces == 81);
+    CHECK(part.objects[0].lost == 0);
+}
+
 TEST_CASE("stability: what float cannot hold is noted") {
     SceneMaker make;
     make.scene.camera.center = {0, 0, 10};

@@ -199,22 +199,52 @@ Shortcomings shortcomings_of(const renderer::Stability& stability) {
     return sum;
 }
 
-/// Objects of which the notes say something, each counted once.
+/// What the notes tell of that no ray can.
 struct Lost {
-    std::uint64_t by_float = 0;    ///< that another number type, or another place, would save
-    std::uint64_t as_written = 0;  ///< that have no extent, or parts without it, in any
+    std::uint64_t faces = 0, of_faces = 0;  ///< of objects that are there in part
+    std::uint64_t unseen = 0;               ///< objects without a part in float, in double unseen
+    std::uint64_t blurred = 0;              ///< by transforms that lose digits
+    std::uint64_t as_written = 0;           ///< objects that have no extent in any number type
+
+    [[nodiscard]] bool by_float() const { return faces + unseen + blurred > 0; }
 };
 
 Lost lost_of(const renderer::Stability& stability) {
     using Note = renderer::PreparationNote;
-    std::vector<ir::ObjectId> by_float;
-    std::vector<ir::ObjectId> as_written;
-    for (const Note& note : stability.notes) {
-        auto& objects = note.kind == Note::Kind::kDegenerate ? as_written : by_float;
-        // An object's notes come one behind the other.
-        if (objects.empty() || objects.back() != note.object) objects.push_back(note.object);
+    Lost lost;
+    std::vector<std::uint64_t> faces(stability.objects.size());
+    for (const ObjectStability& object : stability.objects) {
+        faces[object.object.value] = object.faces;
+        if (object.faces_lost == 0 || object.lost > 0) continue;
+        if (object.faces_lost == object.faces) {
+            ++lost.unseen;
+        } else {
+            lost.faces += object.faces_lost;
+            lost.of_faces += object.faces;
+        }
     }
-    return {by_float.size(), as_written.size()};
+    for (const Note& note : stability.notes) {
+        const bool whole = note.count == faces[note.object.value];
+        if (note.kind == Note::Kind::kDegenerate && whole) ++lost.as_written;
+        if (note.kind == Note::Kind::kIllConditioned) ++lost.blurred;
+    }
+    return lost;
+}
+
+/// The notes without those of faces that nobody would see: they matter as little in float as in
+/// any other number type.
+std::vector<renderer::PreparationNote> visible(const renderer::Stability& stability) {
+    using Kind = renderer::PreparationNote::Kind;
+    std::vector<const ObjectStability*> objects(stability.objects.size());
+    for (const ObjectStability& object : stability.objects) objects[object.object.value] = &object;
+    auto notes = stability.notes;
+    std::erase_if(notes, [&](const renderer::PreparationNote& note) {
+        const ObjectStability& object = *objects[note.object.value];
+        if (note.kind == Kind::kDegenerate) return note.count < object.faces;
+        return (note.kind == Kind::kFlattened || note.kind == Kind::kOutOfRange) &&
+               object.faces_lost == 0;
+    });
+    return notes;
 }
 
 std::uint64_t rays_of(const renderer::Stability& s) {
@@ -243,7 +273,7 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
             "renders it; elsewhere a fault is one of the renderer\n";
     } else if (faults.any()) {
         text += "float is not good enough: --precision double renders what it loses or coarsens\n";
-    } else if (few == 0 && lost_of(s).by_float == 0 && s.worst) {
+    } else if (few == 0 && !lost_of(s).by_float() && s.worst) {
         text += fmt::format(
             "float is good enough: a pixel is {} of its steps wide at least, and {} would do\n",
             steps_text(s.worst->ulps()), renderer::kFewUlps);
@@ -277,6 +307,8 @@ Json object_entry(const StabilityReport& report, const ObjectStability& entry,
                  {"self_hits", entry.self_hits},
                  {"lost", entry.lost},
                  {"too_coarse", entry.too_coarse()},
+                 {"faces", entry.faces},
+                 {"faces_lost", entry.faces_lost},
                  {"least_ulps_per_pixel", nullptr}};
     if (entry.worst) json["least_ulps_per_pixel"] = entry.least_ulps();
     if (!entry.example) return json;
@@ -307,7 +339,7 @@ std::string stability_to_text(const StabilityReport& report, const ReportStyle& 
     }
     return text + table(report, positions) + precision(report, positions) +
            changes(report.stability.changes) +
-           notes_to_text(report.stability.notes, report.scene, positions, "float") +
+           notes_to_text(visible(report.stability), report.scene, positions, "float") +
            summary(report, style);
 }
 
@@ -323,11 +355,17 @@ std::string stability_line(const StabilityReport& report) {
     }
     if (few > 0) text += fmt::format(", {} with too few digits", counted(few, "object"));
     const Lost lost = lost_of(s);
-    if (lost.by_float > 0) {
-        text += fmt::format(", {} lost by float", counted(lost.by_float, "object"));
+    if (lost.faces > 0) {
+        text += fmt::format(", lost in part: {} of {}", lost.faces, counted(lost.of_faces, "face"));
+    }
+    if (lost.unseen > 0) {
+        text += fmt::format(", {} out of sight not there in float", counted(lost.unseen, "object"));
+    }
+    if (lost.blurred > 0) {
+        text += fmt::format(", {} whose transforms lose digits", counted(lost.blurred, "object"));
     }
     if (lost.as_written > 0) {
-        text += fmt::format(", {} without extent, or in part", counted(lost.as_written, "object"));
+        text += fmt::format(", {} without extent", counted(lost.as_written, "object"));
     }
     if (!s.complete) text += ", stopped early";
     return text + "\n";
