@@ -89,6 +89,31 @@ TEST_CASE("stability: a sound scene is reported clean") {
     CHECK(json.find("\"clean\": true") != std::string::npos);
 }
 
+TEST_CASE("stability: the verdict is of what was measured") {
+    const Written written;
+    renderer::Stability stability = written.measure(test::sound);
+    const auto says = [&](std::string_view words) {
+        const std::string text = written.text(stability);
+        CAPTURE(text);
+        return text.find(words) != std::string::npos;
+    };
+    const auto line = [&] {
+        return stability_line({stability, written.scene, written.sources, "a.scene", 640, 480});
+    };
+    CHECK(says("float is good enough: a pixel is "));
+    CHECK(!says("nothing is said"));
+    stability.objects.back().hits = 0;
+    stability.objects.back().worst.reset();
+    CHECK(says("1 object that no ray met, in double either: nothing is said of "));
+    CHECK(says("float is good enough for what was measured: a pixel is "));
+    CHECK(line().find(", 1 object not met") != std::string::npos);
+    stability.complete = false;
+    CHECK(says("1 object that no ray has met so far: nothing is said of "));
+    CHECK(line().starts_with("a.scene: sound so far, "));
+    stability.objects.back().hits = 1;
+    CHECK(says("float is good enough for what was measured: a pixel is "));
+}
+
 TEST_CASE("stability: where float is too coarse the report says by how much, and what to do") {
     const Written written;
     renderer::Stability stability = written.measure(test::sound);

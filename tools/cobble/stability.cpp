@@ -215,6 +215,7 @@ void add_stability(CLI::App& app, Context& context) {
         "leaves\na surface meets it again. Each is counted only beyond what rounding explains. "
         "Lost: "
         "rays in\ndouble that see an object which float sees nothing of. None is expected.\n"
+        "Rays are not followed through glass or off mirrors: objects that none meets are counted.\n"
         "ulps/pixel: the "
         "least number of float's steps\nacross a pixel of the object: below 4 neighbours may look "
         "alike, below 1 float is too coarse.\nExit status 1 if there is a crack, a changed hit, a "

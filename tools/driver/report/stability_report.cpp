@@ -264,8 +264,9 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
     }
     if (unseen > 0) {
         text += fmt::format(
-            "{} that no ray hit, in double either: hidden from the camera, or never there\n",
-            counted(unseen, "object"));
+            "{} that no ray {}: nothing is said of what is hidden from the camera, or seen only "
+            "through glass or in mirrors\n",
+            counted(unseen, "object"), s.complete ? "met, in double either" : "has met so far");
     }
     if (faults.hits()) {
         text +=
@@ -273,12 +274,14 @@ std::string summary(const StabilityReport& report, const ReportStyle& style) {
             "renders it; elsewhere a fault is one of the renderer\n";
     } else if (faults.any()) {
         text += "float is not good enough: --precision double renders what it loses or coarsens\n";
-    } else if (few == 0 && !lost_of(s).by_float() && s.worst) {
-        text += fmt::format(
-            "float is good enough: a pixel is {} of its steps wide at least, and {} would do\n",
-            steps_text(s.worst->ulps()), renderer::kFewUlps);
     }
     if (!s.complete) text += "stopped before all rays were cast: what was found until then\n";
+    if (!faults.any() && few == 0 && !lost_of(s).by_float() && s.worst) {
+        text += fmt::format(
+            "float is good enough{}: a pixel is {} of its steps wide at least, and {} would do\n",
+            s.complete && unseen == 0 ? "" : " for what was measured", steps_text(s.worst->ulps()),
+            renderer::kFewUlps);
+    }
     text += fmt::format("{}: {}, {}x{}: {}\n", printable(report.path), counted(rays_of(s), "ray"),
                         report.width, report.height,
                         painted(faults.any() ? kRed : kGreen, faults.text(true), style));
@@ -347,13 +350,16 @@ std::string stability_line(const StabilityReport& report) {
     const renderer::Stability& s = report.stability;
     const Faults faults = faults_of(s);
     const auto [few, unseen] = shortcomings_of(s);
-    std::string text =
-        fmt::format("{}: {}, {}", printable(report.path),
-                    faults.any() ? faults.text(false) : "sound", counted(rays_of(s), "ray"));
+    std::string text = fmt::format("{}: {}, {}", printable(report.path),
+                                   faults.any() ? faults.text(false)
+                                   : s.complete ? "sound"
+                                                : "sound so far",
+                                   counted(rays_of(s), "ray"));
     if (s.worst) {
         text += fmt::format(", a pixel is {} steps of float at least", steps_text(s.worst->ulps()));
     }
     if (few > 0) text += fmt::format(", {} with too few digits", counted(few, "object"));
+    if (unseen > 0) text += fmt::format(", {} not met", counted(unseen, "object"));
     const Lost lost = lost_of(s);
     if (lost.faces > 0) {
         text += fmt::format(", lost in part: {} of {}", lost.faces, counted(lost.of_faces, "face"));
