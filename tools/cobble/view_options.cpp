@@ -25,6 +25,12 @@ constexpr std::uint32_t kMaxSamples = 1U << 20U;
 // Nothing is left to see after so many mirrors.
 constexpr std::uint32_t kMaxBounces = 1000;
 
+/// What a command does with a scene.
+std::string_view verb_of(std::string_view command) {
+    if (command == "stability") return "measures";
+    return command == "pick" ? "picks from" : "renders";
+}
+
 ir::Compat compat_of(std::string_view name) {
     if (name == "a4") return ir::Compat::kA4;
     if (name == "a5") return ir::Compat::kA5;
@@ -213,7 +219,8 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
     report_to_error(view.loaded, quiet);
     const std::string name = options.scene == "-" ? "the scene" : options.scene;
     if (driver::has_errors(view.loaded.diagnostics) && !options.keep_going) {
-        give_up(kFindings, name + " has errors (--keep-going renders what is sound)");
+        give_up(kFindings, fmt::format("{} has errors (--keep-going {} what is sound)", name,
+                                       verb_of(command)));
         return view;
     }
     if (!view.loaded.lowered.renderable) {
