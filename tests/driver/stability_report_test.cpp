@@ -65,7 +65,7 @@ TEST_CASE("stability: a planted fault is reported with the line of its object") 
     const std::string line = worst.object.value == 0 ? "a.scene:2:5" : "a.scene:3:5";
     // In the table, and where an example of the fault is told.
     CHECK(text.find(line) != std::string::npos);
-    CHECK(text.find("the first (a crack) at ") != std::string::npos);
+    CHECK(text.find(" cracks: on the Triangle, the first at ") != std::string::npos);
     // The line itself, with carets.
     CHECK(text.find(worst.object.value == 0 ? "Triangle lower { }\n" : "Triangle upper { }\n") !=
           std::string::npos);
@@ -87,6 +87,23 @@ TEST_CASE("stability: a sound scene is reported clean") {
     CHECK(stability_line(report).starts_with("a.scene: sound, "));
     const std::string json = pretty(stability_to_json(report));
     CHECK(json.find("\"clean\": true") != std::string::npos);
+}
+
+TEST_CASE("stability: the first fault is named where there are several kinds") {
+    const Written written;
+    renderer::Stability stability = written.measure(test::sound);
+    auto& entry = stability.objects.front();
+    entry.cracks = 2;
+    entry.self_hits = 1;
+    entry.example = {renderer::StabilityFault::kCrack, {1, 2, 3}, 0};
+    CHECK(written.text(stability).find(
+              "2 cracks, 1 self-hit: on the Triangle, the first, a crack, at 1 2 3\n") !=
+          std::string::npos);
+    stability.changes = {43, 28, 0, 8, 7};
+    CHECK(written.text(stability).find(
+              "along 43 rays float and double met different things first; by 106 binary digits "
+              "double is right along 28, float along 0, both along 8, and 7 are too close to "
+              "call\n") != std::string::npos);
 }
 
 TEST_CASE("stability: the verdict is of what was measured") {

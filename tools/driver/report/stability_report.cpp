@@ -61,6 +61,9 @@ struct Faults {
     /// Along rays that float saw something along, which number types do not explain.
     [[nodiscard]] bool hits() const { return cracks + changed + self_hits > 0; }
     [[nodiscard]] bool any() const { return hits() || lost + too_coarse > 0; }
+    [[nodiscard]] int kinds() const {
+        return (cracks > 0 ? 1 : 0) + (changed > 0 ? 1 : 0) + (self_hits > 0 ? 1 : 0);
+    }
     /// The kinds that there are; with `all`, the first three in any case.
     [[nodiscard]] std::string text(bool all) const {
         std::string words;
@@ -109,10 +112,13 @@ std::string fault_text(const StabilityReport& report, const ObjectStability& ent
                             face.empty() ? "" : ", face ", face);
     }
     if (const Faults faults{entry.cracks, entry.changed, entry.self_hits}; faults.any()) {
-        text += fault_line(place, faults.text(false),
-                           fmt::format("on the {}, the first (a {}) at {}", kind,
-                                       words_of(entry.example->fault), first),
-                           style);
+        text += fault_line(
+            place, faults.text(false),
+            fmt::format(
+                "on the {}, the first{} at {}", kind,
+                faults.kinds() == 1 ? "" : fmt::format(", a {},", words_of(entry.example->fault)),
+                first),
+            style);
     } else if (entry.lost > 0) {
         text +=
             fault_line(place, "lost",
@@ -178,10 +184,11 @@ std::string precision(const StabilityReport& report, Positions& positions) {
 std::string changes(const renderer::PrimitiveChanges& c) {
     if (c.rays == 0) return "";
     std::string text = fmt::format(
-        "float and double name different things along {}, within rounding or not;\n"
-        "reckoned with 106 binary digits, double is right along {}, float along {}, both along {}",
+        "along {} float and double met different things first; "
+        "by 106 binary digits double is right along {}, float along {}, both along {}",
         counted(c.rays, "ray"), c.for_double, c.for_float, c.for_both);
-    if (c.open > 0) text += fmt::format(", and {} stay open", c.open);
+    if (c.open > 0)
+        text += fmt::format(", and {} {} too close to call", c.open, c.open == 1 ? "is" : "are");
     return text + "\n";
 }
 
