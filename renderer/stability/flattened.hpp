@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much can be seen of what float flattens.
+// How much can be seen of what float loses.
 #pragma once
 
 #include "ir/scene/scene.hpp"
@@ -12,5 +12,9 @@ namespace cobble::renderer {
 /// of the object and kind of `note`, which is one of `narrow`. Infinite for what is no triangle.
 double flattened_pixels(const PreparedScene<float>& narrow, const ir::Scene& scene,
                         const PreparationNote& note, double pixel);
+
+/// Of a whole object, its faces turned to the camera, or of a box around it if it is neither mesh
+/// nor triangle. Infinite for a plane.
+double object_pixels(const ir::Scene& scene, ir::ObjectId id, double pixel);
 
 }  // namespace cobble::renderer

@@ -166,6 +166,8 @@ class Measurement {
             if (!finite(seen.ray.direction) || seen.ray.direction == Vec3d{}) continue;
             seen.hit = closest_hit(wide_, seen.ray, {}, counters_);
             if (!seen.hit || seen.hit.object != id) continue;
+            const bool first = result_.objects[id.value].lost == 0;
+            if (first && object_pixels(source_, id, pixel_) < kLeastSeen) return;
             seen.point = surface_at(wide_, seen.ray, seen.hit);
             ++result_.objects[id.value].lost;
             keep_example(StabilityFault::kLost, seen);

@@ -86,7 +86,7 @@ struct ObjectStability {
     std::uint64_t changed = 0;
     std::uint64_t self_hits = 0;
     /// Rays along which double sees it, which float sees along none at all. Not looked for where
-    /// the measurement was stopped.
+    /// the measurement was stopped, or of what would cover less than a thousandth of a pixel.
     std::uint64_t lost = 0;
     std::optional<PixelPrecision> worst;  ///< the least ulps of all hits on it
     std::uint64_t faces = 1;              ///< of a mesh; anything else is one

@@ -190,6 +190,18 @@ TEST_CASE("stability: tiny things 1e7 away from another leave no precision, and 
     CHECK(far.valid());
 }
 
+TEST_CASE("stability: what is too far away to be seen is not lost") {
+    SceneMaker make;
+    // A thread a million away, where a pixel is a thousand wide.
+    const auto thread = make.triangle({1e6 + 0.3, 0, 0}, {1e6 + 0.301, 0, 0}, {1e6 + 0.3, 1, 0});
+    make.sphere({0, 0, 0}, 1);
+    make.scene.camera.center = {0, 0, 5};
+    const Stability stability = measure_stability(make.scene, rays(20000));
+    CHECK(stability.clean());
+    CHECK(entry_of(stability, thread).hits == 0);
+    CHECK(entry_of(stability, thread).lost == 0);
+}
+
 TEST_CASE("stability: a pixel narrower than a step of float is a fault") {
     SceneMaker make;
     const Vec3d there{1e7, 0, 0};
