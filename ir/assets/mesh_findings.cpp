@@ -108,6 +108,8 @@ void AssetLoader::report_problems(const LoadedObj& loaded, Span span) {
     }
     const std::string_view text = sources_.text(loaded.source);
     if (file.faces.empty()) {
+        // Errors of the file say more, and why.
+        if (file.problem_count > 0) return;
         report(about(kEmpty, "mesh has no usable face", {loaded.source, 0, 0}, span), span);
         return;
     }
