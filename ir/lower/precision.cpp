@@ -15,6 +15,7 @@
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
 #include "ir/scene/bounds.hpp"
+#include "ir/scene/local_origin.hpp"
 
 namespace cobble::ir {
 namespace {
@@ -27,18 +28,19 @@ const source::DiagnosticCode kPrecisionLoss{
     source::Severity::kWarning,
     "float cannot resolve an object where it stands",
     "Scenes are rendered in float, of 24 binary digits, after the coordinates are made relative to "
-    "a point near the camera. That helps a scene that is far from zero as a whole, but not one "
-    "that is wide: a million away from that point neighbouring floats are 0.0625 apart. What is "
-    "smaller than a few such steps loses its shape or is not there at all, and where a pixel is "
-    "smaller than one, outlines, shading and shadows go in steps. Beyond 1.3e36 float cannot "
-    "reckon.",
+    "a point near the camera. That helps what stands near the camera, however far from zero it "
+    "is, but not what stands far from the camera: a million away from that point neighbouring "
+    "floats are 0.0625 apart. What is smaller than a few such steps loses its shape or is not "
+    "there at all, and where a pixel is smaller than one, as through a long lens, outlines, "
+    "shading and shadows go in steps. How wide a pixel is depends on the picture's height: `lint` "
+    "reckons with 640x480, `render` with its `--size`. Beyond 1.3e36 float cannot reckon.",
     "PerspectiveCamera {\n    center 0 0 5\n    direction 0 0 -1\n    up 0 1 0\n    angle 40\n}\n"
     "Materials {\n    Material { diffuseColor 0.8 0.2 0.1 }\n}\n"
     "Group {\n    MaterialIndex 0\n    Sphere {\n        center 0 0 0\n        radius 1\n    }\n"
     "    Triangle {\n        vertex0 1000000.3 0 0\n        vertex1 1000000.301 0 0\n"
     "        vertex2 1000000.3 1 0\n    }\n}\n",
     "Render with `--precision double`, whose steps are half a billion times smaller, or bring the "
-    "parts of the scene closer to each other."};
+    "camera and what it sees closer to each other."};
 
 // A screenful; a scene of which more is lost has one thing wrong with it.
 constexpr std::size_t kMostFindings = 20;
@@ -46,9 +48,8 @@ constexpr std::size_t kMostFindings = 20;
 constexpr double kLostShare = 0.25;
 // Of all meshes together: some 50 ms.
 constexpr std::size_t kMostFaces = std::size_t{1} << 20;
-// The height of a picture that is not said, and its widest form that is common.
-constexpr double kRows = 480;
-constexpr double kWidestForm = 16.0 / 9;
+// Rays at the border of the picture, but not outside it for rounding.
+constexpr double kBorder = 0.999;
 // Decimals narrowed to double leave flat what is as flat as this, relative to the coordinates: the
 // checker's measure of triangles without area.
 constexpr double kFlat = 16 * 0x1p-53;
@@ -72,7 +73,8 @@ struct Feature {
 /// A place in the picture.
 struct Place {
     double pixel = 0;  ///< its width there
-    double reach = 0;  ///< the largest coordinate of it and of the camera
+    double reach = 0;  ///< the largest coordinate of it, or of the camera if that is larger
+    bool at_camera = false;
 
     [[nodiscard]] double step() const { return double{math::step_at<float>(reach)}; }
     [[nodiscard]] double steps() const { return pixel / step(); }
@@ -87,10 +89,11 @@ struct Loss {
 
 class Precision {
   public:
-    explicit Precision(const Scene& scene)
+    Precision(const Scene& scene, PictureSize size)
         : scene_(scene),
+          size_(size),
           bounds_(scene),
-          origin_(math::grid_origin(bounds_.all(), scene.camera.center)),
+          origin_(local_origin(scene, bounds_)),
           eye_(scene.camera.center - origin_),
           slope_(math::tan(scene.camera.angle / 2)),
           meshes_(static_cast<std::size_t>(std::count_if(
@@ -101,7 +104,6 @@ class Precision {
         std::vector<source::Diagnostic> found;
         std::size_t more = 0;
         for (const Object& object : scene_.objects) {
-            if (object.kind == ShapeKind::kPlane) continue;
             const Loss loss = measure(object);
             if (!loss.out_of_range && !loss.feature && !loss.place) continue;
             if (found.size() < kMostFindings) {
@@ -122,6 +124,10 @@ class Precision {
 
     Loss measure(const Object& object) {
         Loss loss;
+        if (object.kind == ShapeKind::kPlane) {
+            plane(object, loss);
+            return loss;
+        }
         const bool placed = object.placement.count > 0;
         // An instance is reckoned with in its own space.
         const BoxBounds<double> box = placed ? bounds_.shape(object) : bounds_.world(object);
@@ -247,6 +253,33 @@ class Precision {
         if (2 * loss.lost_faces >= loss.faces) loss.feature = worst;
     }
 
+    /// Planes have no width to lose; the nearest that is seen of one is its foot or at the border.
+    void plane(const Object& object, Loss& loss) const {
+        const Plane& plane = scene_.planes[object.shape];
+        const bool placed = object.placement.count > 0;
+        const auto map =
+            placed ? scene_.placements[object.placement.first].world_to_object : math::Affined{};
+        const Camera& camera = scene_.camera;
+        const Vec3d normal = map.transposed_vector(plane.normal);
+        const double height = dot(plane.normal, map.point(camera.center)) - plane.offset;
+        const auto meet = [&](Vec3d direction) {
+            const double t = -height / dot(normal, direction);
+            if (t > 0 && t < double{math::kLargestCoordinate<float>}) {
+                look(eye_ + direction * t, loss);
+            }
+        };
+        meet(normal * (height > 0 ? -1.0 : 1.0));
+        const Vec3d up = camera.up * (slope_ * kBorder);
+        const Vec3d right = camera.right * (slope_ * form() * kBorder);
+        for (const double y : {-1.0, 0.0, 1.0}) {
+            for (const double x : {-1.0, 0.0, 1.0}) {
+                meet((camera.forward + up * y) + right * x);
+            }
+        }
+    }
+
+    [[nodiscard]] double form() const { return static_cast<double>(size_.width) / size_.height; }
+
     static Vec3d column(const math::Affined& map, std::size_t j) {
         return {map.rows[0][j], map.rows[1][j], map.rows[2][j]};
     }
@@ -261,10 +294,13 @@ class Precision {
         const Vec3d way = p - eye_;
         const double depth = dot(way, scene_.camera.forward);
         if (!(depth > 0) || !(std::fabs(dot(way, scene_.camera.up)) <= depth * slope_) ||
-            !(std::fabs(dot(way, scene_.camera.right)) <= depth * slope_ * kWidestForm)) {
+            !(std::fabs(dot(way, scene_.camera.right)) <= depth * slope_ * form())) {
             return;
         }
-        const Place place{length(way) * (2 * slope_ / kRows), std::max(largest(p), largest(eye_))};
+        const double here = largest(p);
+        const double camera = largest(eye_);
+        const Place place{length(way) * (2 * slope_ / static_cast<double>(size_.height)),
+                          std::max(here, camera), camera > here};
         if (!(place.steps() < 1)) return;
         if (!loss.place || place.steps() < loss.place->steps()) loss.place = place;
     }
@@ -279,45 +315,45 @@ class Precision {
         finding.span = object.span;
         finding.span.end = std::min(finding.span.end,
                                     finding.span.begin + static_cast<std::uint32_t>(name.size()));
-        const double size = largest_coordinate(object);
         if (loss.out_of_range) {
             finding.message =
                 fmt::format("the {} reaches {}, and float reckons with numbers up to {} only", name,
-                            number(size), number(double{math::kLargestCoordinate<float>}));
+                            number(largest_coordinate(object)),
+                            number(double{math::kLargestCoordinate<float>}));
             finding.notes.emplace_back("no ray hits it; '--precision double' renders it");
             return finding;
         }
         const double reach = loss.feature ? loss.feature->reach : loss.place->reach;
-        const double step = double{math::step_at<float>(reach)};
-        const double step_of_double = math::step_at<double>(std::max(size, reach));
+        const bool at_camera = !loss.feature && loss.place->at_camera;
+        const std::string steps =
+            fmt::format("and floats are {} apart {}, {} from the local origin",
+                        number(double{math::step_at<float>(reach)}),
+                        at_camera ? "at the camera" : "there", number(reach));
         if (loss.feature) {
             const bool many = object.kind == ShapeKind::kMesh;
-            finding.message = fmt::format(
-                "{} {} is {} wide at {} from the local origin, where neighbouring floats are {} "
-                "apart",
-                many ? "a face of the" : "the", name, number(loss.feature->width), number(reach),
-                number(step));
+            finding.message = fmt::format("{} {} is {} wide, {}", many ? "a face of the" : "the",
+                                          name, number(loss.feature->width), steps);
             finding.notes.push_back(what_is_kept(*loss.feature));
             if (many) {
                 finding.notes.push_back(fmt::format("so it goes for {} of {} faces looked at",
                                                     loss.lost_faces, loss.faces));
             }
-            add_mend(finding, loss.feature->width / step_of_double, step_of_double);
+            add_mend(finding, loss.feature->width, reach);
         } else {
-            finding.message = fmt::format(
-                "a pixel of the {} is {} wide at {} from the local origin, where neighbouring "
-                "floats are {} apart",
-                name, number(loss.place->pixel), number(reach), number(step));
+            finding.message = fmt::format("at {}x{} a pixel of the {} is {} wide, {}", size_.width,
+                                          size_.height, name, number(loss.place->pixel), steps);
             finding.notes.emplace_back(
                 "points of neighbouring pixels are one: its outline, shading and shadows go in "
                 "steps");
-            add_mend(finding, loss.place->pixel / step_of_double, step_of_double);
+            add_mend(finding, loss.place->pixel, reach);
         }
-        finding.notes.push_back(
-            fmt::format("the local origin is {} {} {}: a point near the camera, "
-                        "of a grid as coarse as the scene is wide",
-                        number(origin_.x), number(origin_.y), number(origin_.z)));
-        add_widest(finding, object, reach);
+        if (!origin_told_) {
+            finding.notes.push_back(fmt::format(
+                "the local origin, which coordinates are made relative to, is {} {} "
+                "{}, {} from the camera",
+                number(origin_.x), number(origin_.y), number(origin_.z), number(largest(eye_))));
+        }
+        origin_told_ = true;
         return finding;
     }
 
@@ -330,47 +366,17 @@ class Precision {
                            number(feature.moved), std::floor(100 * (1 - feature.lost())));
     }
 
-    static void add_mend(source::Diagnostic& finding, double steps, double step) {
-        if (steps >= 1 / kLostShare) {
-            finding.notes.push_back(
-                fmt::format("'--precision double' resolves it: neighbouring doubles are {} apart",
-                            number(step)));
-        } else {
-            finding.notes.push_back(
-                fmt::format("doubles, {} apart, do not resolve it either: bring the parts of the "
-                            "scene closer together",
-                            number(step)));
-        }
-    }
-
-    /// Names the object that reaches farthest from the camera, if that makes the scene so wide that
-    /// numbers at this one, near the camera, are large.
-    void add_widest(source::Diagnostic& finding, const Object& object, double reach) {
-        // Numbers that are so many times as large as they need be.
-        constexpr double kMuchFarther = 16;
-        if (!widest_) {
-            double most = 0;
-            widest_ = &object;
-            for (const Object& other : scene_.objects) {
-                const double far = reach_from_camera(other);
-                if (!(far > most)) continue;
-                most = far;
-                widest_ = &other;
-            }
-        }
-        const double most = reach_from_camera(**widest_);
-        if (*widest_ == &object || reach < kMuchFarther * reach_from_camera(object)) return;
-        finding.related.push_back(
-            {(*widest_)->span, fmt::format("the scene is so wide because of this {}, which reaches "
-                                           "{} from the camera",
-                                           block_name((*widest_)->kind), number(most))});
-    }
-
-    double reach_from_camera(const Object& object) {
-        const BoxBounds<double> box = bounds_.world(object);
-        if (box.empty()) return 0;
-        const Vec3d center = scene_.camera.center;
-        return std::max(largest(box.lo - center), largest(box.hi - center));
+    /// Doubles hold a scene's numbers as they are, and are as far apart as they are where these
+    /// are local: how far from zero the scene is does not matter to them either.
+    static void add_mend(source::Diagnostic& finding, double width, double reach) {
+        const double step = math::step_at<double>(reach);
+        finding.notes.push_back(
+            width >= step / kLostShare
+                ? fmt::format("'--precision double' resolves it: neighbouring doubles are {} apart",
+                              number(step))
+                : fmt::format("doubles, {} apart, do not resolve it either: bring the camera and "
+                              "what it sees closer together",
+                              number(step)));
     }
 
     double largest_coordinate(const Object& object) {
@@ -379,19 +385,20 @@ class Precision {
     }
 
     const Scene& scene_;
+    PictureSize size_;
     SceneBounds bounds_;
     Vec3d origin_;
     Vec3d eye_;  ///< local
     double slope_;
     std::size_t meshes_;
-    std::optional<const Object*> widest_;
+    bool origin_told_ = false;  ///< once is enough for a scene
 };
 
 }  // namespace
 
-std::vector<source::Diagnostic> precision_findings(const Scene& scene) {
+std::vector<source::Diagnostic> precision_findings(const Scene& scene, PictureSize size) {
     if (scene.objects.empty()) return {};
-    return Precision(scene).run();
+    return Precision(scene, size).run();
 }
 
 }  // namespace cobble::ir

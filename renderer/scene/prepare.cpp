@@ -9,6 +9,7 @@
 
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
+#include "ir/scene/local_origin.hpp"
 #include "renderer/accel/builder.hpp"
 #include "renderer/accel/tree_limits.hpp"
 #include "renderer/accel/wide_builder.hpp"
@@ -67,7 +68,7 @@ class Preparation {
         : scene_(scene), bounds_(scene) {
         out_.source = &scene;
         out_.options = options;
-        out_.origin = grid_origin(bounds_.all(), scene.camera.center);
+        out_.origin = ir::local_origin(scene, bounds_);
         geometry().places.resize(scene.objects.size());
         placed_mesh_.assign(scene.meshes.size(), Geometry<T>::kNone);
     }

@@ -166,16 +166,30 @@ TEST_CASE("stability: far from zero a scene keeps its precision, for it is broug
     CHECK(stability.objects.front().least_ulps > 1000);
 }
 
-TEST_CASE("stability: tiny things 1e7 away from another leave no precision, and sort first") {
+TEST_CASE("stability: a thing 1e7 away from another, near the camera, keeps its precision") {
     SceneMaker make;
-    // The grid that coordinates are local to is as coarse as the scene is wide: a step of float is
-    // a half or a whole there, and a pixel at a distance of 50 is 0.05 wide.
     const Vec3d there{1e7, 0, 0};
-    const auto far = make.sphere({0, 0, 0}, 1);
+    make.sphere({0, 0, 0}, 1);
+    const auto ball = make.sphere(there, 10);
+    make.triangle(there + Vec3d{20, 0, 0}, there + Vec3d{20.01, 0, 0}, there + Vec3d{20, 0.01, 0});
+    make.plane({0, 1, 0}, -10);
+    make.scene.camera.center = there + Vec3d{0, 0, 60};
+    const Stability stability = measure_stability(make.scene, rays(10000));
+    CHECK(stability.clean());
+    CHECK(stability.notes.empty());
+    CHECK(entry_of(stability, ball).least_ulps > 100);
+}
+
+TEST_CASE("stability: tiny things 1e7 away from the camera leave no precision, and sort first") {
+    SceneMaker make;
+    // Coordinates are local to what is near the camera: a step of float is a whole there, and a
+    // pixel seen through this lens is 0.08 wide.
+    const Vec3d there{0, 0, -1e7};
+    const auto far = make.sphere({0, 5, 0}, 1);
     const auto ball = make.sphere(there, 10);
     const auto speck = make.triangle(there + Vec3d{20, 0, 0}, there + Vec3d{20.01, 0, 0},
                                      there + Vec3d{20, 0.01, 0});
-    make.scene.camera.center = there + Vec3d{0, 0, 60};
+    make.scene.camera.angle = 4e-6;
     const Stability stability = measure_stability(make.scene, rays(10000));
     CHECK(entry_of(stability, ball).hits > 50);
     CHECK(entry_of(stability, ball).least_ulps < 0.5);
