@@ -28,6 +28,7 @@ struct Limits {
     std::uint64_t asset_bytes = std::uint64_t{2} << 30;
 };
 
+/// In pixels; as it is without `--size`.
 struct PictureSize {
     std::uint32_t width = 640;
     std::uint32_t height = 480;

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "ir/assets/obj/mesh_normals.hpp"
 #include "ir/math/elementary.hpp"
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
@@ -85,6 +86,9 @@ struct Loss {
     std::optional<Place> place;
     bool out_of_range = false;
     std::size_t lost_faces = 0, faces = 0;  ///< of those of a mesh that were looked at
+    std::size_t flat_faces = 0;             ///< of them, those that narrowing leaves without area
+    std::optional<Feature> flat;            ///< the widest of these
+    std::uint32_t flat_at = 0;              ///< byte of the first one's line
 };
 
 class Precision {
@@ -105,7 +109,7 @@ class Precision {
         std::size_t more = 0;
         for (const Object& object : scene_.objects) {
             const Loss loss = measure(object);
-            if (!loss.out_of_range && !loss.feature && !loss.place) continue;
+            if (!loss.out_of_range && !loss.feature && !loss.place && !loss.flat) continue;
             if (found.size() < kMostFindings) {
                 found.push_back(describe(object, loss));
             } else {
@@ -155,7 +159,8 @@ class Precision {
                 triangle(scene_.triangles[object.shape].keys[0], map, placed, loss);
                 break;
             case ShapeKind::kMesh:
-                mesh(scene_.meshes[object.shape], map, placed, loss);
+                mesh(scene_.meshes[object.shape], map, placed,
+                     placed ? math::grid_origin(box, middle) : origin_, loss);
                 break;
             case ShapeKind::kPlane:
                 break;
@@ -232,25 +237,51 @@ class Precision {
         keep(feature, loss);
     }
 
-    void mesh(const Mesh& mesh, const math::Affined& map, bool placed, Loss& loss) const {
+    /// `origin`: what the mesh itself is narrowed relative to.
+    void mesh(const Mesh& mesh, const math::Affined& map, bool placed, Vec3d origin,
+              Loss& loss) const {
         const std::size_t share = std::max<std::size_t>(8, kMostFaces / meshes_);
         const std::size_t stride = (mesh.faces.size() + share - 1) / share;
         std::optional<Feature> worst;
         for (std::size_t f = 0; f < mesh.faces.size(); f += stride) {
             const auto& c = mesh.faces[f].corners;
+            const std::array<Vec3d, 3> v{mesh.positions[c[0].position],
+                                         mesh.positions[c[1].position],
+                                         mesh.positions[c[2].position]};
             Loss of_face;
             of_face.place = loss.place;
-            triangle({mesh.positions[c[0].position], mesh.positions[c[1].position],
-                      mesh.positions[c[2].position]},
-                     map, placed, of_face);
+            triangle(v, map, placed, of_face);
             loss.place = of_face.place;
             ++loss.faces;
+            if (flattened(v, origin)) {
+                if (loss.flat_faces++ == 0) loss.flat_at = mesh.face_offsets[f];
+                const Feature feature = flat_feature(v, origin);
+                if (!loss.flat || feature.width > loss.flat->width) loss.flat = feature;
+            }
             if (!of_face.feature) continue;
             ++loss.lost_faces;
             if (!worst || of_face.feature->lost() > worst->lost()) worst = of_face.feature;
         }
         // Slivers are common in meshes, and little is lost with them.
         if (2 * loss.lost_faces >= loss.faces) loss.feature = worst;
+    }
+
+    /// Has an area, and none once it is narrowed.
+    static bool flattened(const std::array<Vec3d, 3>& v, Vec3d origin) {
+        std::array<Vec3d, 3> n;
+        for (std::size_t i = 0; i < 3; ++i) n[i] = (v[i] - origin).to<float>().to<double>();
+        return cross(n[1] - n[0], n[2] - n[0]) == Vec3d{} && has_area(v[0], v[1], v[2]);
+    }
+
+    static Feature flat_feature(const std::array<Vec3d, 3>& v, Vec3d origin) {
+        Feature feature;
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            longest = std::max(longest, length(v[(i + 1) % 3] - v[i]));
+            feature.reach = std::max(feature.reach, largest(v[i] - origin));
+        }
+        feature.width = length(cross(v[1] - v[0], v[2] - v[0])) / longest;
+        return feature;
     }
 
     /// Planes have no width to lose; the nearest that is seen of one is its foot or at the border.
@@ -323,8 +354,10 @@ class Precision {
             finding.notes.emplace_back("no ray hits it; '--precision double' renders it");
             return finding;
         }
-        const double reach = loss.feature ? loss.feature->reach : loss.place->reach;
-        const bool at_camera = !loss.feature && loss.place->at_camera;
+        const double reach = loss.feature ? loss.feature->reach
+                             : loss.place ? loss.place->reach
+                                          : loss.flat->reach;
+        const bool at_camera = !loss.feature && loss.place && loss.place->at_camera;
         const std::string steps =
             fmt::format("and floats are {} apart {}, {} from the local origin",
                         number(double{math::step_at<float>(reach)}),
@@ -339,6 +372,19 @@ class Precision {
                                                     loss.lost_faces, loss.faces));
             }
             add_mend(finding, loss.feature->width, reach);
+        } else if (!loss.place) {
+            finding.message = fmt::format(
+                "{} of {} triangles of the {} {} flat in float: the widest is {} wide, {}",
+                loss.flat_faces, loss.faces, name, loss.flat_faces == 1 ? "is" : "are",
+                number(loss.flat->width), steps);
+            finding.notes.emplace_back("no ray hits what is flat");
+            add_mend(finding, loss.flat->width, reach,
+                     "merge vertices that lie as close as that in a modelling program");
+            const Mesh& mesh = scene_.meshes[object.shape];
+            if (mesh.source.valid()) {
+                finding.related.push_back(
+                    {{mesh.source, loss.flat_at, loss.flat_at + 1}, "the first is of this face"});
+            }
         } else {
             finding.message = fmt::format("at {}x{} a pixel of the {} is {} wide, {}", size_.width,
                                           size_.height, name, number(loss.place->pixel), steps);
@@ -368,15 +414,16 @@ class Precision {
 
     /// Doubles hold a scene's numbers as they are, and are as far apart as they are where these
     /// are local: how far from zero the scene is does not matter to them either.
-    static void add_mend(source::Diagnostic& finding, double width, double reach) {
+    static void add_mend(
+        source::Diagnostic& finding, double width, double reach,
+        std::string_view otherwise = "bring the camera and what it sees closer together") {
         const double step = math::step_at<double>(reach);
         finding.notes.push_back(
             width >= step / kLostShare
                 ? fmt::format("'--precision double' resolves it: neighbouring doubles are {} apart",
                               number(step))
-                : fmt::format("doubles, {} apart, do not resolve it either: bring the camera and "
-                              "what it sees closer together",
-                              number(step)));
+                : fmt::format("doubles, {} apart, do not resolve it either: {}", number(step),
+                              otherwise));
     }
 
     double largest_coordinate(const Object& object) {

@@ -26,8 +26,8 @@ inline constexpr double kWorstCondition = 1e6;
 
 /// Warnings for a scene with a camera, in the order of its objects: of many the first 20, and in
 /// the last how many more. Of a mesh it looks at some of its faces, a million of all meshes
-/// together, and speaks if half of them are lost; of a plane, what is seen nearest. The scene needs
-/// no images, uvs or normals.
+/// together, and speaks if half of them are lost, or any is left without an area; of a plane it
+/// looks at what is seen nearest. The scene needs no images, uvs or normals.
 std::vector<source::Diagnostic> precision_findings(const Scene& scene, PictureSize size);
 
 }  // namespace cobble::ir
