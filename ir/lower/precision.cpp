@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ir/assets/obj/mesh_normals.hpp"
+#include "ir/lower/loss.hpp"
 #include "ir/math/elementary.hpp"
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
@@ -24,29 +25,8 @@ namespace {
 using math::BoxBounds;
 using math::Vec3d;
 
-const source::DiagnosticCode kPrecisionLoss{
-    "precision-loss",
-    source::Severity::kWarning,
-    "float cannot resolve an object where it stands",
-    "Scenes are rendered in float, of 24 binary digits, after the coordinates are made relative to "
-    "a point near the camera. That helps what stands near the camera, however far from zero it "
-    "is, but not what stands far from the camera: a million away from that point neighbouring "
-    "floats are 0.0625 apart. What is smaller than a few such steps loses its shape or is not "
-    "there at all, and where a pixel is smaller than one, as through a long lens, outlines, "
-    "shading and shadows go in steps. How wide a pixel is depends on the picture's height: `lint` "
-    "reckons with 640x480, `render` with its `--size`. Beyond 1.3e36 float cannot reckon.",
-    "PerspectiveCamera {\n    center 0 0 5\n    direction 0 0 -1\n    up 0 1 0\n    angle 40\n}\n"
-    "Materials {\n    Material { diffuseColor 0.8 0.2 0.1 }\n}\n"
-    "Group {\n    MaterialIndex 0\n    Sphere {\n        center 0 0 0\n        radius 1\n    }\n"
-    "    Triangle {\n        vertex0 1000000.3 0 0\n        vertex1 1000000.301 0 0\n"
-    "        vertex2 1000000.3 1 0\n    }\n}\n",
-    "Render with `--precision double`, whose steps are half a billion times smaller, or bring the "
-    "camera and what it sees closer to each other."};
-
 // A screenful; a scene of which more is lost has one thing wrong with it.
 constexpr std::size_t kMostFindings = 20;
-// Shapes that are moved by less keep three quarters of their width.
-constexpr double kLostShare = 0.25;
 // Of all meshes together: some 50 ms.
 constexpr std::size_t kMostFaces = std::size_t{1} << 20;
 // Rays at the border of the picture, but not outside it for rounding.
@@ -55,41 +35,8 @@ constexpr double kBorder = 0.999;
 // checker's measure of triangles without area.
 constexpr double kFlat = 16 * 0x1p-53;
 
-double largest(Vec3d p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
-
 /// How far narrowing moves a point.
 Vec3d narrowing(Vec3d p) { return p.to<float>().to<double>() - p; }
-
-std::string number(double x) { return fmt::format("{:.3g}", x); }
-
-/// Something that has a width, and what float does to it.
-struct Feature {
-    double width = 0;
-    double reach = 0;  ///< its largest coordinate, relative to the local origin
-    double moved = 0;  ///< by narrowing
-
-    [[nodiscard]] double lost() const { return moved / width; }
-};
-
-/// A place in the picture.
-struct Place {
-    double pixel = 0;  ///< its width there
-    double reach = 0;  ///< the largest coordinate of it, or of the camera if that is larger
-    bool at_camera = false;
-
-    [[nodiscard]] double step() const { return double{math::step_at<float>(reach)}; }
-    [[nodiscard]] double steps() const { return pixel / step(); }
-};
-
-struct Loss {
-    std::optional<Feature> feature;
-    std::optional<Place> place;
-    bool out_of_range = false;
-    std::size_t lost_faces = 0, faces = 0;  ///< of those of a mesh that were looked at
-    std::size_t flat_faces = 0;             ///< of them, those that narrowing leaves without area
-    std::optional<Feature> flat;            ///< the widest of these
-    std::uint32_t flat_at = 0;              ///< byte of the first one's line
-};
 
 class Precision {
   public:
@@ -106,12 +53,13 @@ class Precision {
 
     std::vector<source::Diagnostic> run() {
         std::vector<source::Diagnostic> found;
+        LossWords words(scene_, size_, origin_);
         std::size_t more = 0;
         for (const Object& object : scene_.objects) {
             const Loss loss = measure(object);
             if (!loss.out_of_range && !loss.feature && !loss.place && !loss.flat) continue;
             if (found.size() < kMostFindings) {
-                found.push_back(describe(object, loss));
+                found.push_back(words.describe(object, loss));
             } else {
                 ++more;
             }
@@ -140,6 +88,7 @@ class Precision {
         if (std::max(largest(box.lo - middle), largest(box.hi - middle)) >
             double{math::kLargestCoordinate<float>}) {
             loss.out_of_range = true;
+            loss.reach = largest_coordinate(object);
             return loss;
         }
         const Placement place = placed ? scene_.placements[object.placement.first] : Placement{};
@@ -336,96 +285,6 @@ class Precision {
         if (!loss.place || place.steps() < loss.place->steps()) loss.place = place;
     }
 
-    // --- Telling ---
-
-    source::Diagnostic describe(const Object& object, const Loss& loss) {
-        source::Diagnostic finding;
-        finding.code = &kPrecisionLoss;
-        finding.severity = kPrecisionLoss.severity;
-        const std::string_view name = block_name(object.kind);
-        finding.span = object.span;
-        finding.span.end = std::min(finding.span.end,
-                                    finding.span.begin + static_cast<std::uint32_t>(name.size()));
-        if (loss.out_of_range) {
-            finding.message =
-                fmt::format("the {} reaches {}, and float reckons with numbers up to {} only", name,
-                            number(largest_coordinate(object)),
-                            number(double{math::kLargestCoordinate<float>}));
-            finding.notes.emplace_back("no ray hits it; '--precision double' renders it");
-            return finding;
-        }
-        const double reach = loss.feature ? loss.feature->reach
-                             : loss.place ? loss.place->reach
-                                          : loss.flat->reach;
-        const bool at_camera = !loss.feature && loss.place && loss.place->at_camera;
-        const std::string steps =
-            fmt::format("and floats are {} apart {}, {} from the local origin",
-                        number(double{math::step_at<float>(reach)}),
-                        at_camera ? "at the camera" : "there", number(reach));
-        if (loss.feature) {
-            const bool many = object.kind == ShapeKind::kMesh;
-            finding.message = fmt::format("{} {} is {} wide, {}", many ? "a face of the" : "the",
-                                          name, number(loss.feature->width), steps);
-            finding.notes.push_back(what_is_kept(*loss.feature));
-            if (many) {
-                finding.notes.push_back(fmt::format("so it goes for {} of {} faces looked at",
-                                                    loss.lost_faces, loss.faces));
-            }
-            add_mend(finding, loss.feature->width, reach);
-        } else if (!loss.place) {
-            finding.message = fmt::format(
-                "{} of {} triangles of the {} {} flat in float: the widest is {} wide, {}",
-                loss.flat_faces, loss.faces, name, loss.flat_faces == 1 ? "is" : "are",
-                number(loss.flat->width), steps);
-            finding.notes.emplace_back("no ray hits what is flat");
-            add_mend(finding, loss.flat->width, reach,
-                     "merge vertices that lie as close as that in a modelling program");
-            const Mesh& mesh = scene_.meshes[object.shape];
-            if (mesh.source.valid()) {
-                finding.related.push_back(
-                    {{mesh.source, loss.flat_at, loss.flat_at + 1}, "the first is of this face"});
-            }
-        } else {
-            finding.message = fmt::format("at {}x{} a pixel of the {} is {} wide, {}", size_.width,
-                                          size_.height, name, number(loss.place->pixel), steps);
-            finding.notes.emplace_back(
-                "points of neighbouring pixels are one: its outline, shading and shadows go in "
-                "steps");
-            add_mend(finding, loss.place->pixel, reach);
-        }
-        if (!origin_told_) {
-            finding.notes.push_back(fmt::format(
-                "the local origin, which coordinates are made relative to, is {} {} "
-                "{}, {} from the camera",
-                number(origin_.x), number(origin_.y), number(origin_.z), number(largest(eye_))));
-        }
-        origin_told_ = true;
-        return finding;
-    }
-
-    static std::string what_is_kept(const Feature& feature) {
-        if (feature.lost() >= 1) {
-            return fmt::format("float moves it by up to {}: it keeps nothing of this width",
-                               number(feature.moved));
-        }
-        return fmt::format("float moves it by up to {}: it keeps {:.0f} % of this width",
-                           number(feature.moved), std::floor(100 * (1 - feature.lost())));
-    }
-
-    /// Doubles hold a scene's numbers as they are, and are as far apart as they are where these
-    /// are local: how far from zero the scene is does not matter to them either.
-    static void add_mend(
-        source::Diagnostic& finding, double width, double reach,
-        std::string_view otherwise = "bring the camera and what it sees closer together") {
-        const double step = math::step_at<double>(reach);
-        finding.notes.push_back(
-            width >= step / kLostShare
-                ? fmt::format("'--precision double' resolves it: neighbouring doubles are {} apart",
-                              number(step))
-                : fmt::format("doubles, {} apart, do not resolve it either: {}", number(step),
-                              otherwise));
-    }
-
     double largest_coordinate(const Object& object) {
         const BoxBounds<double> box = bounds_.world(object);
         return std::max(largest(box.lo), largest(box.hi));
@@ -438,7 +297,6 @@ class Precision {
     Vec3d eye_;  ///< local
     double slope_;
     std::size_t meshes_;
-    bool origin_told_ = false;  ///< once is enough for a scene
 };
 
 }  // namespace

@@ -40,21 +40,6 @@ bool in_range(Vec3<T> p) {
     return in_range(p.x) && in_range(p.y) && in_range(p.z);
 }
 
-/// As those who checked the mesh reckoned, so that a face is told of by one of us: collinear to the
-/// last digit of double.
-bool flat_in_double(const std::array<Vec3d, 3>& v) {
-    const Vec3d a = v[1] - v[0];
-    const Vec3d b = v[2] - v[0];
-    double size = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        size = std::fabs(a[i]) > size ? std::fabs(a[i]) : size;
-        size = std::fabs(b[i]) > size ? std::fabs(b[i]) : size;
-    }
-    // By a power of two, so that products stay in range.
-    const double scale = size < 0x1p-400 ? 0x1p400 : size > 0x1p400 ? 0x1p-400 : 1;
-    return cross(a * scale, b * scale) == Vec3d{};
-}
-
 /// The vertices are collinear, exactly.
 template <typename T>
 bool flat(const std::array<Vec3<T>, 3>& v) {
