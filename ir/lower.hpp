@@ -28,11 +28,18 @@ struct Limits {
     std::uint64_t asset_bytes = std::uint64_t{2} << 30;
 };
 
+/// In pixels; as it is without `--size`.
+struct PictureSize {
+    std::uint32_t width = 640;
+    std::uint32_t height = 480;
+};
+
 struct LowerOptions {
     Compat compat = Compat::kNone;
     bool casting = false;      ///< Compat::kProject with `-casting`: its ray caster's mesh normals
     bool decode_srgb = false;  ///< `--transfer srgb`: display inputs become linear
     bool judge_float = true;   ///< warn of what float cannot resolve: off for renders in double
+    PictureSize size;          ///< whose pixels are meant where it does so
     Limits limits;
 };
 

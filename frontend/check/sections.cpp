@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 #include "frontend/check/checks.hpp"
 
@@ -33,6 +35,33 @@ const source::DiagnosticCode kRepeatedSection{
     "}\n",
     "Merge the two, or put a second Group inside the first."};
 
+const source::DiagnosticCode kEmptyGroup{
+    "empty-group",
+    source::Severity::kWarning,
+    "the Group holds no object",
+    "There is nothing to look at: `cobble render` makes no picture of such a scene.",
+    "Group {\n"
+    "}\n",
+    "Add an object, such as a Sphere, to the Group."};
+
+/// True if the block holds an object at any depth, or something that may have been meant as one.
+bool may_hold_object(const CheckContext& context, BlockNodeId group) {
+    const auto& blocks = context.ast().blocks;
+    std::vector<bool> inside(blocks.size(), false);
+    inside[group.value] = true;
+    for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+        const bool within = blocks[i].parent.valid() && inside[blocks[i].parent.value];
+        inside[i] = inside[i] || within;
+        if (!inside[i]) continue;
+        const grammar::Role role = grammar::row(blocks[i].row).role;
+        // What a Transform lacks is told of it.
+        const bool object = role == grammar::Role::kObject || role == grammar::Role::kTransform;
+        if ((within && object) || blocks[i].broken) return true;
+        if (context.strange_members(BlockNodeId{i}) > 0) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void check_sections(CheckContext& context) {
@@ -60,6 +89,10 @@ void check_sections(CheckContext& context) {
         if (context.explained(BlockNodeId{}, name)) continue;
         context.report(kMissingSection, context.span(TokenId{last}),
                        fmt::format("the scene has no {}", name));
+    }
+    const BlockNodeId group = first[static_cast<std::size_t>(grammar::BlockId::kGroup)];
+    if (group.valid() && !may_hold_object(context, group)) {
+        context.report(kEmptyGroup, context.name_span(group), "the Group holds no object");
     }
 }
 

@@ -74,6 +74,32 @@ std::string of(std::uint64_t count, std::size_t total) {
            (total == 1 ? " face" : " faces");
 }
 
+/// How many faces the file has: polygons are cut into triangles, which share their line.
+std::size_t faces_as_written(const ObjFile& file) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < file.face_offsets.size(); ++i) {
+        count += i == 0 || file.face_offsets[i] != file.face_offsets[i - 1] ? 1 : 0;
+    }
+    return count;
+}
+
+bool face_has_area(const ObjFile& file, std::size_t face) {
+    const auto& c = file.faces[face].corners;
+    const auto& p = file.positions;
+    return has_area(p[c[0].position], p[c[1].position], p[c[2].position]);
+}
+
+/// Some triangle of the polygon of this line has an area.
+bool partly_has_area(const ObjFile& file, std::uint32_t line) {
+    auto at = static_cast<std::size_t>(
+        std::lower_bound(file.face_offsets.begin(), file.face_offsets.end(), line) -
+        file.face_offsets.begin());
+    for (; at < file.faces.size() && file.face_offsets[at] == line; ++at) {
+        if (face_has_area(file, at)) return true;
+    }
+    return false;
+}
+
 Diagnostic about(const DiagnosticCode& code, std::string message, Span span, Span scene_span) {
     Diagnostic diagnostic;
     diagnostic.code = &code;
@@ -108,18 +134,16 @@ void AssetLoader::report_problems(const LoadedObj& loaded, Span span) {
     }
     const std::string_view text = sources_.text(loaded.source);
     if (file.faces.empty()) {
+        // Errors of the file say more, and why.
+        if (file.problem_count > 0) return;
         report(about(kEmpty, "mesh has no usable face", {loaded.source, 0, 0}, span), span);
         return;
     }
     Tally flat;
     Tally zero;
     for (std::size_t i = 0; i < file.faces.size(); ++i) {
-        const auto& c = file.faces[i].corners;
-        const auto& p = file.positions;
-        if (!has_area(p[c[0].position], p[c[1].position], p[c[2].position])) {
-            flat.add(file.face_offsets[i]);
-        }
-        for (const auto& corner : c) {
+        if (!face_has_area(file, i)) flat.add(file.face_offsets[i]);
+        for (const auto& corner : file.faces[i].corners) {
             if (corner.normal == Mesh::kNone) continue;
             const math::Vec3d& n = file.normals[corner.normal];
             if (n.x != 0 || n.y != 0 || n.z != 0) continue;
@@ -128,10 +152,21 @@ void AssetLoader::report_problems(const LoadedObj& loaded, Span span) {
         }
     }
     if (flat.count > 0) {
-        report(
-            about(kDegenerateFace, of(flat.count, file.faces.size()) + " of the mesh have no area",
-                  line_span(loaded.source, text, flat.first), span),
-            span);
+        const std::size_t written = faces_as_written(file);
+        const bool cut = written < file.faces.size();
+        const std::string subject =
+            cut ? std::to_string(flat.count) + " of the " + std::to_string(file.faces.size()) +
+                      " triangles of the mesh's " + std::to_string(written) +
+                      (written == 1 ? " face" : " faces")
+                : of(flat.count, file.faces.size()) + " of the mesh";
+        Diagnostic finding = about(kDegenerateFace, subject + " have no area",
+                                   line_span(loaded.source, text, flat.first), span);
+        if (partly_has_area(file, flat.first)) {
+            finding.notes.emplace_back(
+                "the rest of this face has an area: three of its corners lie on one line, or two "
+                "in one place");
+        }
+        report(std::move(finding), span);
     }
     if (zero.count > 0) {
         report(

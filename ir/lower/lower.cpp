@@ -96,7 +96,7 @@ class Lowering {
         if (keep_) fold_constants(scene);
         lowered_.renderable = camera.has_value() && !scene.objects.empty();
         if (camera && !checked_.has_errors() && options_.judge_float) {
-            for (source::Diagnostic& finding : precision_findings(scene)) {
+            for (source::Diagnostic& finding : precision_findings(scene, options_.size)) {
                 const Span span = finding.span;
                 assets_.report(std::move(finding), span);
             }

@@ -11,10 +11,13 @@
 #include <string>
 #include <utility>
 
+#include "ir/assets/obj/mesh_normals.hpp"
+#include "ir/lower/loss.hpp"
 #include "ir/math/elementary.hpp"
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
 #include "ir/scene/bounds.hpp"
+#include "ir/scene/local_origin.hpp"
 
 namespace cobble::ir {
 namespace {
@@ -22,75 +25,26 @@ namespace {
 using math::BoxBounds;
 using math::Vec3d;
 
-const source::DiagnosticCode kPrecisionLoss{
-    "precision-loss",
-    source::Severity::kWarning,
-    "float cannot resolve an object where it stands",
-    "Scenes are rendered in float, of 24 binary digits, after the coordinates are made relative to "
-    "a point near the camera. That helps a scene that is far from zero as a whole, but not one "
-    "that is wide: a million away from that point neighbouring floats are 0.0625 apart. What is "
-    "smaller than a few such steps loses its shape or is not there at all, and where a pixel is "
-    "smaller than one, outlines, shading and shadows go in steps. Beyond 1.3e36 float cannot "
-    "reckon.",
-    "PerspectiveCamera {\n    center 0 0 5\n    direction 0 0 -1\n    up 0 1 0\n    angle 40\n}\n"
-    "Materials {\n    Material { diffuseColor 0.8 0.2 0.1 }\n}\n"
-    "Group {\n    MaterialIndex 0\n    Sphere {\n        center 0 0 0\n        radius 1\n    }\n"
-    "    Triangle {\n        vertex0 1000000.3 0 0\n        vertex1 1000000.301 0 0\n"
-    "        vertex2 1000000.3 1 0\n    }\n}\n",
-    "Render with `--precision double`, whose steps are half a billion times smaller, or bring the "
-    "parts of the scene closer to each other."};
-
 // A screenful; a scene of which more is lost has one thing wrong with it.
 constexpr std::size_t kMostFindings = 20;
-// Shapes that are moved by less keep three quarters of their width.
-constexpr double kLostShare = 0.25;
 // Of all meshes together: some 50 ms.
 constexpr std::size_t kMostFaces = std::size_t{1} << 20;
-// The height of a picture that is not said, and its widest form that is common.
-constexpr double kRows = 480;
-constexpr double kWidestForm = 16.0 / 9;
+// Rays at the border of the picture, but not outside it for rounding.
+constexpr double kBorder = 0.999;
 // Decimals narrowed to double leave flat what is as flat as this, relative to the coordinates: the
 // checker's measure of triangles without area.
 constexpr double kFlat = 16 * 0x1p-53;
 
-double largest(Vec3d p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
-
 /// How far narrowing moves a point.
 Vec3d narrowing(Vec3d p) { return p.to<float>().to<double>() - p; }
 
-std::string number(double x) { return fmt::format("{:.3g}", x); }
-
-/// Something that has a width, and what float does to it.
-struct Feature {
-    double width = 0;
-    double reach = 0;  ///< its largest coordinate, relative to the local origin
-    double moved = 0;  ///< by narrowing
-
-    [[nodiscard]] double lost() const { return moved / width; }
-};
-
-/// A place in the picture.
-struct Place {
-    double pixel = 0;  ///< its width there
-    double reach = 0;  ///< the largest coordinate of it and of the camera
-
-    [[nodiscard]] double step() const { return double{math::step_at<float>(reach)}; }
-    [[nodiscard]] double steps() const { return pixel / step(); }
-};
-
-struct Loss {
-    std::optional<Feature> feature;
-    std::optional<Place> place;
-    bool out_of_range = false;
-    std::size_t lost_faces = 0, faces = 0;  ///< of those of a mesh that were looked at
-};
-
 class Precision {
   public:
-    explicit Precision(const Scene& scene)
+    Precision(const Scene& scene, PictureSize size)
         : scene_(scene),
+          size_(size),
           bounds_(scene),
-          origin_(math::grid_origin(bounds_.all(), scene.camera.center)),
+          origin_(local_origin(scene, bounds_)),
           eye_(scene.camera.center - origin_),
           slope_(math::tan(scene.camera.angle / 2)),
           meshes_(static_cast<std::size_t>(std::count_if(
@@ -99,13 +53,13 @@ class Precision {
 
     std::vector<source::Diagnostic> run() {
         std::vector<source::Diagnostic> found;
+        LossWords words(scene_, size_, origin_);
         std::size_t more = 0;
         for (const Object& object : scene_.objects) {
-            if (object.kind == ShapeKind::kPlane) continue;
             const Loss loss = measure(object);
-            if (!loss.out_of_range && !loss.feature && !loss.place) continue;
+            if (!loss.out_of_range && !loss.feature && !loss.place && !loss.flat) continue;
             if (found.size() < kMostFindings) {
-                found.push_back(describe(object, loss));
+                found.push_back(words.describe(object, loss));
             } else {
                 ++more;
             }
@@ -122,6 +76,10 @@ class Precision {
 
     Loss measure(const Object& object) {
         Loss loss;
+        if (object.kind == ShapeKind::kPlane) {
+            plane(object, loss);
+            return loss;
+        }
         const bool placed = object.placement.count > 0;
         // An instance is reckoned with in its own space.
         const BoxBounds<double> box = placed ? bounds_.shape(object) : bounds_.world(object);
@@ -130,6 +88,7 @@ class Precision {
         if (std::max(largest(box.lo - middle), largest(box.hi - middle)) >
             double{math::kLargestCoordinate<float>}) {
             loss.out_of_range = true;
+            loss.reach = largest_coordinate(object);
             return loss;
         }
         const Placement place = placed ? scene_.placements[object.placement.first] : Placement{};
@@ -149,7 +108,8 @@ class Precision {
                 triangle(scene_.triangles[object.shape].keys[0], map, placed, loss);
                 break;
             case ShapeKind::kMesh:
-                mesh(scene_.meshes[object.shape], map, placed, loss);
+                mesh(scene_.meshes[object.shape], map, placed,
+                     placed ? math::grid_origin(box, middle) : origin_, loss);
                 break;
             case ShapeKind::kPlane:
                 break;
@@ -226,19 +186,27 @@ class Precision {
         keep(feature, loss);
     }
 
-    void mesh(const Mesh& mesh, const math::Affined& map, bool placed, Loss& loss) const {
+    /// `origin`: what the mesh itself is narrowed relative to.
+    void mesh(const Mesh& mesh, const math::Affined& map, bool placed, Vec3d origin,
+              Loss& loss) const {
         const std::size_t share = std::max<std::size_t>(8, kMostFaces / meshes_);
         const std::size_t stride = (mesh.faces.size() + share - 1) / share;
         std::optional<Feature> worst;
         for (std::size_t f = 0; f < mesh.faces.size(); f += stride) {
             const auto& c = mesh.faces[f].corners;
+            const std::array<Vec3d, 3> v{mesh.positions[c[0].position],
+                                         mesh.positions[c[1].position],
+                                         mesh.positions[c[2].position]};
             Loss of_face;
             of_face.place = loss.place;
-            triangle({mesh.positions[c[0].position], mesh.positions[c[1].position],
-                      mesh.positions[c[2].position]},
-                     map, placed, of_face);
+            triangle(v, map, placed, of_face);
             loss.place = of_face.place;
             ++loss.faces;
+            if (flattened(v, origin)) {
+                if (loss.flat_faces++ == 0) loss.flat_at = mesh.face_offsets[f];
+                const Feature feature = flat_feature(v, origin);
+                if (!loss.flat || feature.width > loss.flat->width) loss.flat = feature;
+            }
             if (!of_face.feature) continue;
             ++loss.lost_faces;
             if (!worst || of_face.feature->lost() > worst->lost()) worst = of_face.feature;
@@ -246,6 +214,51 @@ class Precision {
         // Slivers are common in meshes, and little is lost with them.
         if (2 * loss.lost_faces >= loss.faces) loss.feature = worst;
     }
+
+    /// Has an area, and none once it is narrowed.
+    static bool flattened(const std::array<Vec3d, 3>& v, Vec3d origin) {
+        std::array<Vec3d, 3> n;
+        for (std::size_t i = 0; i < 3; ++i) n[i] = (v[i] - origin).to<float>().to<double>();
+        return cross(n[1] - n[0], n[2] - n[0]) == Vec3d{} && has_area(v[0], v[1], v[2]);
+    }
+
+    static Feature flat_feature(const std::array<Vec3d, 3>& v, Vec3d origin) {
+        Feature feature;
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            longest = std::max(longest, length(v[(i + 1) % 3] - v[i]));
+            feature.reach = std::max(feature.reach, largest(v[i] - origin));
+        }
+        feature.width = length(cross(v[1] - v[0], v[2] - v[0])) / longest;
+        return feature;
+    }
+
+    /// Planes have no width to lose; the nearest that is seen of one is its foot or at the border.
+    void plane(const Object& object, Loss& loss) const {
+        const Plane& plane = scene_.planes[object.shape];
+        const bool placed = object.placement.count > 0;
+        const auto map =
+            placed ? scene_.placements[object.placement.first].world_to_object : math::Affined{};
+        const Camera& camera = scene_.camera;
+        const Vec3d normal = map.transposed_vector(plane.normal);
+        const double height = dot(plane.normal, map.point(camera.center)) - plane.offset;
+        const auto meet = [&](Vec3d direction) {
+            const double t = -height / dot(normal, direction);
+            if (t > 0 && t < double{math::kLargestCoordinate<float>}) {
+                look(eye_ + direction * t, loss);
+            }
+        };
+        meet(normal * (height > 0 ? -1.0 : 1.0));
+        const Vec3d up = camera.up * (slope_ * kBorder);
+        const Vec3d right = camera.right * (slope_ * form() * kBorder);
+        for (const double y : {-1.0, 0.0, 1.0}) {
+            for (const double x : {-1.0, 0.0, 1.0}) {
+                meet((camera.forward + up * y) + right * x);
+            }
+        }
+    }
+
+    [[nodiscard]] double form() const { return static_cast<double>(size_.width) / size_.height; }
 
     static Vec3d column(const math::Affined& map, std::size_t j) {
         return {map.rows[0][j], map.rows[1][j], map.rows[2][j]};
@@ -261,116 +274,15 @@ class Precision {
         const Vec3d way = p - eye_;
         const double depth = dot(way, scene_.camera.forward);
         if (!(depth > 0) || !(std::fabs(dot(way, scene_.camera.up)) <= depth * slope_) ||
-            !(std::fabs(dot(way, scene_.camera.right)) <= depth * slope_ * kWidestForm)) {
+            !(std::fabs(dot(way, scene_.camera.right)) <= depth * slope_ * form())) {
             return;
         }
-        const Place place{length(way) * (2 * slope_ / kRows), std::max(largest(p), largest(eye_))};
+        const double here = largest(p);
+        const double camera = largest(eye_);
+        const Place place{length(way) * (2 * slope_ / static_cast<double>(size_.height)),
+                          std::max(here, camera), camera > here};
         if (!(place.steps() < 1)) return;
         if (!loss.place || place.steps() < loss.place->steps()) loss.place = place;
-    }
-
-    // --- Telling ---
-
-    source::Diagnostic describe(const Object& object, const Loss& loss) {
-        source::Diagnostic finding;
-        finding.code = &kPrecisionLoss;
-        finding.severity = kPrecisionLoss.severity;
-        const std::string_view name = block_name(object.kind);
-        finding.span = object.span;
-        finding.span.end = std::min(finding.span.end,
-                                    finding.span.begin + static_cast<std::uint32_t>(name.size()));
-        const double size = largest_coordinate(object);
-        if (loss.out_of_range) {
-            finding.message =
-                fmt::format("the {} reaches {}, and float reckons with numbers up to {} only", name,
-                            number(size), number(double{math::kLargestCoordinate<float>}));
-            finding.notes.emplace_back("no ray hits it; '--precision double' renders it");
-            return finding;
-        }
-        const double reach = loss.feature ? loss.feature->reach : loss.place->reach;
-        const double step = double{math::step_at<float>(reach)};
-        const double step_of_double = math::step_at<double>(std::max(size, reach));
-        if (loss.feature) {
-            const bool many = object.kind == ShapeKind::kMesh;
-            finding.message = fmt::format(
-                "{} {} is {} wide at {} from the local origin, where neighbouring floats are {} "
-                "apart",
-                many ? "a face of the" : "the", name, number(loss.feature->width), number(reach),
-                number(step));
-            finding.notes.push_back(what_is_kept(*loss.feature));
-            if (many) {
-                finding.notes.push_back(fmt::format("so it goes for {} of {} faces looked at",
-                                                    loss.lost_faces, loss.faces));
-            }
-            add_mend(finding, loss.feature->width / step_of_double, step_of_double);
-        } else {
-            finding.message = fmt::format(
-                "a pixel of the {} is {} wide at {} from the local origin, where neighbouring "
-                "floats are {} apart",
-                name, number(loss.place->pixel), number(reach), number(step));
-            finding.notes.emplace_back(
-                "points of neighbouring pixels are one: its outline, shading and shadows go in "
-                "steps");
-            add_mend(finding, loss.place->pixel / step_of_double, step_of_double);
-        }
-        finding.notes.push_back(
-            fmt::format("the local origin is {} {} {}: a point near the camera, "
-                        "of a grid as coarse as the scene is wide",
-                        number(origin_.x), number(origin_.y), number(origin_.z)));
-        add_widest(finding, object, reach);
-        return finding;
-    }
-
-    static std::string what_is_kept(const Feature& feature) {
-        if (feature.lost() >= 1) {
-            return fmt::format("float moves it by up to {}: it keeps nothing of this width",
-                               number(feature.moved));
-        }
-        return fmt::format("float moves it by up to {}: it keeps {:.0f} % of this width",
-                           number(feature.moved), std::floor(100 * (1 - feature.lost())));
-    }
-
-    static void add_mend(source::Diagnostic& finding, double steps, double step) {
-        if (steps >= 1 / kLostShare) {
-            finding.notes.push_back(
-                fmt::format("'--precision double' resolves it: neighbouring doubles are {} apart",
-                            number(step)));
-        } else {
-            finding.notes.push_back(
-                fmt::format("doubles, {} apart, do not resolve it either: bring the parts of the "
-                            "scene closer together",
-                            number(step)));
-        }
-    }
-
-    /// Names the object that reaches farthest from the camera, if that makes the scene so wide that
-    /// numbers at this one, near the camera, are large.
-    void add_widest(source::Diagnostic& finding, const Object& object, double reach) {
-        // Numbers that are so many times as large as they need be.
-        constexpr double kMuchFarther = 16;
-        if (!widest_) {
-            double most = 0;
-            widest_ = &object;
-            for (const Object& other : scene_.objects) {
-                const double far = reach_from_camera(other);
-                if (!(far > most)) continue;
-                most = far;
-                widest_ = &other;
-            }
-        }
-        const double most = reach_from_camera(**widest_);
-        if (*widest_ == &object || reach < kMuchFarther * reach_from_camera(object)) return;
-        finding.related.push_back(
-            {(*widest_)->span, fmt::format("the scene is so wide because of this {}, which reaches "
-                                           "{} from the camera",
-                                           block_name((*widest_)->kind), number(most))});
-    }
-
-    double reach_from_camera(const Object& object) {
-        const BoxBounds<double> box = bounds_.world(object);
-        if (box.empty()) return 0;
-        const Vec3d center = scene_.camera.center;
-        return std::max(largest(box.lo - center), largest(box.hi - center));
     }
 
     double largest_coordinate(const Object& object) {
@@ -379,19 +291,19 @@ class Precision {
     }
 
     const Scene& scene_;
+    PictureSize size_;
     SceneBounds bounds_;
     Vec3d origin_;
     Vec3d eye_;  ///< local
     double slope_;
     std::size_t meshes_;
-    std::optional<const Object*> widest_;
 };
 
 }  // namespace
 
-std::vector<source::Diagnostic> precision_findings(const Scene& scene) {
+std::vector<source::Diagnostic> precision_findings(const Scene& scene, PictureSize size) {
     if (scene.objects.empty()) return {};
-    return Precision(scene).run();
+    return Precision(scene, size).run();
 }
 
 }  // namespace cobble::ir

@@ -33,10 +33,16 @@ struct BoxBounds {
     friend constexpr bool operator==(const BoxBounds&, const BoxBounds&) = default;
 };
 
-/// The point of the grid nearest to where `box` comes closest to `anchor`. Grid lines are a power
-/// of two apart that is at least the box's longest side: a thing around zero keeps its coordinates,
-/// one far away is brought near, and moving everything by whole steps changes no bit. An empty box
-/// (planes only) takes steps of 1024.
+/// The least power of two that is at least the box's longest side; 1024 for an empty box (planes
+/// only), infinite for one that is nearly as wide as double reaches.
+double grid_step(const BoxBounds<double>& box);
+
+/// The point of a grid whose lines are `step` apart; zero if there is no finite one.
+Vec3d nearest_on_grid(Vec3d p, double step);
+
+/// The point of the grid of grid_step() nearest to where `box` comes closest to `anchor`: a thing
+/// around zero keeps its coordinates, one far away is brought near, and moving everything by whole
+/// steps changes no bit.
 Vec3d grid_origin(const BoxBounds<double>& box, Vec3d anchor);
 
 }  // namespace cobble::math

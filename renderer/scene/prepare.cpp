@@ -9,6 +9,7 @@
 
 #include "ir/math/inverse.hpp"
 #include "ir/math/narrow.hpp"
+#include "ir/scene/local_origin.hpp"
 #include "renderer/accel/builder.hpp"
 #include "renderer/accel/tree_limits.hpp"
 #include "renderer/accel/wide_builder.hpp"
@@ -59,7 +60,7 @@ class Preparation {
         : scene_(scene), bounds_(scene) {
         out_.source = &scene;
         out_.options = options;
-        out_.origin = grid_origin(bounds_.all(), scene.camera.center);
+        out_.origin = ir::local_origin(scene, bounds_);
         geometry().places.resize(scene.objects.size());
         placed_mesh_.assign(scene.meshes.size(), Geometry<T>::kNone);
     }
@@ -136,7 +137,7 @@ class Preparation {
     [[nodiscard]] bool flat_as_written(ir::ObjectId id, std::uint32_t face) const {
         const ir::Object& object = scene_.objects[id.value];
         if (object.kind == ir::ShapeKind::kMesh) {
-            return flat(face_vertices<double>(scene_.meshes[object.shape], face, {}));
+            return flat_in_double(face_vertices<double>(scene_.meshes[object.shape], face, {}));
         }
         return flat(scene_.triangles[object.shape].keys[0]);
     }

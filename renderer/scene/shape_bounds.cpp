@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/shape_bounds.hpp"
 
+#include <cmath>
+#include <cstddef>
+
 #include "ir/math/double_double.hpp"
 #include "renderer/scene/rebase.hpp"
 
@@ -20,6 +23,19 @@ double exact_dot(Vec3d a, Vec3d b, double plus) {
 }
 
 }  // namespace
+
+bool flat_in_double(const std::array<math::Vec3d, 3>& v) {
+    const Vec3d a = v[1] - v[0];
+    const Vec3d b = v[2] - v[0];
+    double size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        size = std::fabs(a[i]) > size ? std::fabs(a[i]) : size;
+        size = std::fabs(b[i]) > size ? std::fabs(b[i]) : size;
+    }
+    // By a power of two, so that products stay in range.
+    const double scale = size < 0x1p-400 ? 0x1p400 : size > 0x1p400 ? 0x1p-400 : 1;
+    return cross(a * scale, b * scale) == Vec3d{};
+}
 
 PlaneKey plane_key(const ir::Scene& scene, const ir::Object& object, std::uint32_t k,
                    math::Vec3d origin) {

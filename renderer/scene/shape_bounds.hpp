@@ -40,6 +40,10 @@ BoxBounds<T> narrow_box(const ir::Box& box, math::Vec3d origin) {
 
 using ir::shape_bounds;
 
+/// Without an area to the last digit of double. As those who check a mesh reckon, so that a face is
+/// told of by one of us.
+bool flat_in_double(const std::array<math::Vec3d, 3>& v);
+
 /// The plane of `object` at its key `k` (0 if it has none), local to `origin`.
 PlaneKey plane_key(const ir::Scene& scene, const ir::Object& object, std::uint32_t k,
                    math::Vec3d origin);

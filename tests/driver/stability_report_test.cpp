@@ -171,12 +171,12 @@ TEST_CASE("stability: what float lost of a mesh is told in faces, and needles ar
     CHECK(written.text(stability).find("has no extent") == std::string::npos);
     stability.notes = {{Kind::kFlattened, entry.object, 0, 3}};
     CHECK(ends("steps of float at least\n"));
-    CHECK(written.text(stability).find("too small") == std::string::npos);
+    CHECK(written.text(stability).find("flat in float") == std::string::npos);
     // Those that can be seen.
     entry.faces_lost = 3;
     CHECK(line().starts_with("a.scene: sound, "));
     CHECK(ends("at least, lost in part: 3 of 9 faces\n"));
-    CHECK(written.text(stability).find("too small") != std::string::npos);
+    CHECK(written.text(stability).find("flat in float") != std::string::npos);
     CHECK(written.text(stability).find("float is good enough") == std::string::npos);
     // All of them, where double does not see the object either.
     entry.faces_lost = 9;

@@ -226,11 +226,12 @@ TEST_CASE("row 24: a world of blocks 30,000,000 away is the one at zero to the b
 }
 
 TEST_CASE("row 24: a world too wide for float is noted, and right in double") {
-    // A block at zero keeps the coordinates from being brought near.
+    // A block at zero, where the camera is, keeps the coordinates from being brought near.
     const auto wide = [](Vec3d corner) {
         SceneMaker both;
         both.scene = world_at(corner);
         both.box({-1, -1, -1}, {0, 0, 0});
+        both.scene.camera.center = {0, 0, 5};
         return both.scene;
     };
     const ir::Scene far = wide(kBorder);
@@ -238,6 +239,18 @@ TEST_CASE("row 24: a world too wide for float is noted, and right in double") {
     CHECK(compare_worlds<double>(world_at({}), far, kBorder, 400, 0x1p-23).differ == 0);
     CHECK(!renderer::prepare<float>(far).notes.empty());
     CHECK(compare_worlds<float>(world_at({}), far, kBorder, 400, 0x1p-23).differ > 100);
+}
+
+TEST_CASE("row 24: blocks near the camera are right in float, whatever lies far away") {
+    SceneMaker both;
+    both.scene = world_at(kBorder);
+    both.box({-1, -1, -1}, {0, 0, 0});
+    both.scene.camera.center = kBorder + Vec3d{4, 8, 4};
+    // The far one is told of: a block is as wide as half a step there.
+    CHECK(renderer::prepare<float>(both.scene).notes.size() == 1);
+    const Compared near = compare_worlds<float>(world_at({}), both.scene, kBorder, 2000, 0x1p-16);
+    CHECK(near.hits > 1000);
+    CHECK(near.differ == 0);
 }
 
 }  // namespace cobble::test

@@ -204,13 +204,6 @@ class Render {
     int write(const renderer::Picture& picture, const renderer::Stats& stats,
               const renderer::Progress& progress) {
         const auto begin = std::chrono::steady_clock::now();
-        int status = kDone;
-        for (const driver::RenderTarget& target : targets_) {
-            const std::string problem = driver::write_target(target, picture, style());
-            if (problem.empty()) continue;
-            driver::complain(problem);
-            status = kFailure;
-        }
         if (stats.bad_sample_count > 0) {
             driver::complain(driver::bad_sample_text(stats, view_.loaded.session->sources));
         }
@@ -221,6 +214,14 @@ class Render {
                 driver::without_checked(stats.notes, scene, view_.loaded.diagnostics);
             driver::write_error(driver::notes_to_text(notes, scene, positions,
                                                       driver::prepared_in(scene, view_.settings)));
+        }
+        // Last: what failed has the last word.
+        int status = kDone;
+        for (const driver::RenderTarget& target : targets_) {
+            const std::string problem = driver::write_target(target, picture, style());
+            if (problem.empty()) continue;
+            driver::complain(problem);
+            status = kFailure;
         }
         if (options_.stats.empty()) return status;
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

@@ -211,6 +211,7 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
     lower.decode_srgb = options.transfer == "srgb";
     // The published programs' ways are all traced in double.
     lower.judge_float = view.compat == ir::Compat::kNone && options.precision == "float";
+    lower.size = {options.size.width, options.size.height};
     view.loaded = driver::load_scene(options.scene, options.stdin_path, lower);
     if (view.loaded.session == nullptr) {
         give_up(kFailure, view.loaded.problem);

@@ -24,6 +24,21 @@ std::string subject(const PreparationNote& note, const ir::Object& object, std::
                            : fmt::format("{} faces of the {} {}", note.count, kind, many);
 }
 
+/// The page that explains it, in brackets; "" where there is none.
+std::string_view code_of(PreparationNote::Kind kind) {
+    switch (kind) {
+        case PreparationNote::Kind::kFlattened:
+        case PreparationNote::Kind::kOutOfRange:
+            return " [precision-loss]";
+        case PreparationNote::Kind::kIllConditioned:
+            return " [transform-ill-conditioned]";
+        case PreparationNote::Kind::kDegenerate:
+        case PreparationNote::Kind::kSingular:
+            return "";
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string_view kind_name(PreparationNote::Kind kind) {
@@ -51,7 +66,7 @@ std::string note_text(const PreparationNote& note, const ir::Scene& scene, Posit
             text = subject(note, object, "has", "have") + " no extent: never hit";
             break;
         case PreparationNote::Kind::kFlattened:
-            text = fmt::format("{} too small for {} so far from the middle of things: never hit",
+            text = fmt::format("{} flat in {}, whose steps are wider there: never hit",
                                subject(note, object, "is", "are"), precision);
             break;
         case PreparationNote::Kind::kOutOfRange:
@@ -76,8 +91,9 @@ std::string notes_to_text(const std::vector<PreparationNote>& notes, const ir::S
     for (std::size_t i = 0; i < notes.size() && i < kEnough; ++i) {
         const ir::Object& object = scene.objects[notes[i].object.value];
         const std::string place = place_of(object.span, positions);
-        text += fmt::format("{}{}warning: {}\n", place, place.empty() ? "" : ": ",
-                            note_text(notes[i], scene, positions, precision));
+        text +=
+            fmt::format("{}{}warning: {}{}\n", place, place.empty() ? "" : ": ",
+                        note_text(notes[i], scene, positions, precision), code_of(notes[i].kind));
     }
     if (notes.size() > kEnough) {
         text += fmt::format("and {} more warnings like these\n", notes.size() - kEnough);
@@ -110,7 +126,8 @@ std::vector<PreparationNote> without_checked(const std::vector<PreparationNote>&
     std::set<std::uint32_t> lossy;  // where such objects begin
     for (const source::Diagnostic& diagnostic : diagnostics) {
         const std::string_view code = diagnostic.code->code;
-        if (code == "precision-loss" || code == "transform-ill-conditioned") {
+        if (code == "precision-loss" || code == "transform-ill-conditioned" ||
+            code == "degenerate-triangle") {
             lossy.insert(diagnostic.span.begin);
         }
     }
