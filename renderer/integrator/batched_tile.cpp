@@ -2,7 +2,6 @@
 #include "renderer/integrator/batched_tile.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -17,8 +16,8 @@ namespace {
 constexpr std::size_t kMostSamples = 1024;
 constexpr std::size_t kFewestSamples = 64;
 /// Rays that a tree is meant to have, and that it may have before it is put aside.
-constexpr std::uint64_t kUsualRays = 1U << 15U;
-constexpr std::size_t kMostRays = 1U << 16U;
+constexpr std::uint64_t kUsualRays = 3U << 13U;
+constexpr std::size_t kMostRays = 1U << 15U;
 
 }  // namespace
 
@@ -234,51 +233,75 @@ void BatchedTile<T>::number(std::size_t turn, std::uint32_t first_parent,
 /// behind them aside.
 template <typename T>
 void BatchedTile<T>::put_aside() {
-    std::vector<Aside> in_order;
-    std::vector<std::size_t> places(tree_.groups().size() - first_group_);
-    bool open = false;  ///< what is added comes behind the last one put aside
+    Pile& pile = piles_.emplace_back();
+    pile.depth = depth_;
+    std::vector<Aside>& parts = pile.parts;
+    std::vector<std::uint32_t> part_of(tree_.groups().size() - first_group_);
+    bool open = false;  ///< what is added comes behind the last part
+    const auto brought_count = [&] { return static_cast<std::uint32_t>(pile.brought.size()); };
     tree_.visit_all([&](std::uint32_t index) {
         const RayGroup& group = tree_.groups()[index];
         const bool leaf = index >= first_group_;
-        if (!leaf && in_order.empty()) return add_all(group);
-        if (!open) in_order.emplace_back();
+        if (!leaf && parts.empty()) return add_all(group);
+        if (!open) parts.emplace_back().brought_begin = brought_count();
         open = !leaf;
-        Aside& aside = in_order.back();
         if (leaf) {
-            places[index - first_group_] = in_order.size() - 1;
-            aside.path = group.path;
+            part_of[index - first_group_] = static_cast<std::uint32_t>(parts.size() - 1);
+            parts.back().path = group.path;
+            parts.back().rays_end = group.end - group.begin;
         } else {
-            tree_.each_brought(
-                group, [&](const Brought<T>& brought) { aside.brought.push_back(brought); });
+            tree_.each_brought(group,
+                               [&](const Brought<T>& brought) { pile.brought.push_back(brought); });
         }
+        parts.back().brought_end = brought_count();
     });
+    std::uint32_t begin = 0;
+    for (Aside& part : parts) {
+        part.rays_begin = begin;
+        part.rays_end = begin += part.rays_end;
+    }
+    pile.rays.make_room(begin);
+    pile.rays.take_in(begin);
+    // Each in the place that its group's rays are numbered by.
     for (std::size_t turn = 0; turn < kTurns; ++turn) {
-        for (std::size_t i = 0; i < now_[turn].size(); ++i) {
-            const std::uint32_t number = now_[turn].carried(i)->number;
+        PendingRays<T>& from = now_[turn];
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const std::uint32_t number = from.carried(i)->number;
             const RayGroup& group = tree_.group_of(number);
             const auto index = static_cast<std::size_t>(&group - tree_.groups().data());
-            Aside& aside = in_order[places[index - first_group_]];
-            aside.turn = turn;
-            aside.depth = depth_;
-            aside.rays.append(now_[turn], i, 1);
-            aside.rays.carried(aside.rays.size() - 1)->number = number - group.begin;
+            Aside& part = parts[part_of[index - first_group_]];
+            part.turn = static_cast<std::uint8_t>(turn);
+            const std::uint32_t in_group = number - group.begin;
+            const std::size_t to = part.rays_begin + in_group;
+            *pile.rays.rays(to) = *from.rays(i);
+            *pile.rays.excludes(to) = *from.excludes(i);
+            *pile.rays.likenesses(to) = *from.likenesses(i);
+            Carried<T>& carried = *pile.rays.carried(to);
+            carried = *from.carried(i);
+            carried.number = in_group;
         }
     }
-    std::move(in_order.rbegin(), in_order.rend(), std::back_inserter(aside_));
+    std::reverse(parts.begin(), parts.end());
 }
 
 /// The next of what was put aside; false if nothing is.
 template <typename T>
 bool BatchedTile<T>::take_up() {
-    while (!aside_.empty()) {
-        Aside aside = std::move(aside_.back());
-        aside_.pop_back();
-        for (const auto& brought : aside.brought) add(brought);
-        if (aside.rays.empty()) continue;
-        tree_.begin(aside.path, aside.rays.size());
+    while (!piles_.empty()) {
+        Pile& pile = piles_.back();
+        if (pile.parts.empty()) {
+            piles_.pop_back();
+            continue;
+        }
+        const Aside part = pile.parts.back();
+        pile.parts.pop_back();
+        for (std::uint32_t i = part.brought_begin; i < part.brought_end; ++i) add(pile.brought[i]);
+        if (part.rays_begin == part.rays_end) continue;
+        const std::size_t count = part.rays_end - part.rays_begin;
+        tree_.begin(part.path, count);
         for (PendingRays<T>& rays : now_) rays.clear();
-        now_[aside.turn].append(aside.rays, 0, aside.rays.size());
-        depth_ = aside.depth;
+        now_[part.turn].append(pile.rays, part.rays_begin, count);
+        depth_ = pile.depth;
         turn_ = at_ = 0;
         first_ray_ = first_group_ = 0;
         return true;

@@ -27,7 +27,7 @@
 namespace cobble::renderer {
 
 /// Memory: some 150 bytes for each sample of a run, and in single precision 16 for each ray of its
-/// trees and 82 for each ray of two turns. There are at most 65,000 rays of one, or twice that in
+/// trees and 82 for each ray of two turns. There are at most 33,000 rays of one, or twice that in
 /// a turn; each six turns more, at the worst, may put as many aside.
 template <typename T>
 class BatchedTile final : public PausedWork {
@@ -45,13 +45,19 @@ class BatchedTile final : public PausedWork {
         Sampler sampler{0, 0, 0, 0};
         ir::ObjectId first_object;
     };
-    /// Put aside: what is added first, then what is followed.
+    /// Part of what was put aside: what is added first, then rays of one path that are followed.
     struct Aside {
-        std::vector<Brought<T>> brought;
         PathAddress path;
+        std::uint32_t brought_begin = 0, brought_end = 0;
+        std::uint32_t rays_begin = 0, rays_end = 0;
+        std::uint8_t turn = 0;
+    };
+    /// A tree put aside, all of it side by side: it may be of thousands of paths.
+    struct Pile {
+        std::vector<Brought<T>> brought;
         PendingRays<T> rays;
-        std::size_t turn = 0;
         std::uint32_t depth = 0;
+        std::vector<Aside> parts;  ///< the next one last
     };
 
     void begin_run();
@@ -86,7 +92,7 @@ class BatchedTile final : public PausedWork {
     CameraBatch<T> camera_;
     RayBatch<T> from_camera_;
     RayTree<T> tree_;
-    std::vector<Aside> aside_;  ///< the next one last
+    std::vector<Pile> piles_;  ///< the next one last
 
     // A turn; the camera's rays are number 0.
     std::uint32_t depth_ = 0;
