@@ -103,6 +103,7 @@ class Preparation {
             if (object.kind == ir::ShapeKind::kBox) boxes += 1;
         }
         require_room(all);
+        if (boxes > 0) require_room(scene_.objects.size());  // by which their slots are numbered
         items_.reserve(all);
         geometry().triangles.reserve(triangles);
         geometry().spheres.reserve(spheres);
