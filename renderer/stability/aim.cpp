@@ -97,7 +97,9 @@ Vec3d on_plane(const PlaneKey& plane, Vec3d eye, Choices& choices) {
     const Vec3d foot = eye - plane.normal * height;
     const auto [u, v] = across(normalize(plane.normal));
     // From right below to where the plane is seen at 2^-14, some pixels from the horizon.
-    const double away = std::ldexp(1 + choices.unit(), static_cast<int>(choices.below(16)) - 2);
+    // Drawn one by one: compilers differ in which argument of a call they evaluate first.
+    const int doublings = static_cast<int>(choices.below(16)) - 2;
+    const double away = std::ldexp(1 + choices.unit(), doublings);
     const math::SinCos turn = math::sincos(2 * math::kPi * choices.unit());
     const double unit = std::fabs(height) * std::sqrt(size);
     return foot + (u * turn.cos + v * turn.sin) * (away * (unit > 0 ? unit : 1));

@@ -61,7 +61,8 @@ void add_hills(ir::Mesh& mesh, std::size_t n) {
 
 /// A twig of two crossed quadrilaterals' worth of leaves, anywhere in the crown.
 void add_leaf(ir::Mesh& mesh, Random& random) {
-    const Vec3d at = random.direction() * std::sqrt(random.unit());
+    const double far = std::sqrt(random.unit());
+    const Vec3d at = random.direction() * far;
     const Vec3d middle{1.1 * at.x, 2.6 + 1.3 * at.y, 1.1 * at.z};
     const Vec3d along = random.direction();
     const Vec3d across = normalize(cross(along, random.direction())) * 0.08;
@@ -135,7 +136,8 @@ Input sphere_input(std::uint32_t count) {
     aim_camera(input.scene, {0, 0.6, 2.6}, {0, 0, 0}, 45 * math::kPi / 180);
     Random random(1);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3d at = random.direction() * random.unit();
+        const double far = random.unit();
+        const Vec3d at = random.direction() * far;
         input.scene.spheres.push_back({{{at, random.between(0.02, 0.04)}}});
         add_object(input.scene, ir::ShapeKind::kSphere, i);
     }
