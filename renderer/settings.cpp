@@ -29,8 +29,18 @@ std::string fingerprint(const Settings& settings) {
     const Crop window = window_of(settings);
     for (const std::uint32_t side : {window.x0, window.y0, window.x1, window.y1}) add(side);
     add(settings.samples);
+    add(settings.light_samples);
+    add(settings.scrambles);
+    if (const auto& goal = settings.goal) {
+        add("goal");
+        add(goal->error);
+        add_enum(goal->method);
+        add(goal->most_samples);
+        add(goal->shown_as_srgb);
+    }
     add(settings.bounces);
     add(settings.seed);
+    add(settings.salts);
     add_enum(settings.filter);
     add_enum(settings.precision);
     for (const ir::EffectState& effect : settings.effects.states) add(effect.on);

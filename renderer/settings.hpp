@@ -24,6 +24,19 @@ struct Crop {
     std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
+/// A picture that takes as many samples as it needs: see renderer/passes.
+struct ErrorGoal {
+    enum class Method : std::uint8_t {
+        kAdaptive,   ///< samples decide how many more are taken
+        kUnbiased,   ///< other samples decide that, and are thrown away
+        kGuarantee,  ///< a bound that holds however values are distributed
+    };
+    double error = 0.01;  ///< half the width of each pixel's 95 % interval, in display values
+    Method method = Method::kAdaptive;
+    std::uint32_t most_samples = 1U << 16U;  ///< a pixel; more are not taken, whatever the error
+    bool shown_as_srgb = false;              ///< the picture is light, and encoded to be shown
+};
+
 // What is added here and changes pixels belongs in fingerprint() and its test.
 struct Settings {
     std::uint32_t width = 640;
@@ -31,8 +44,14 @@ struct Settings {
     std::optional<Crop> crop;
     std::uint32_t samples =
         16;  ///< per pixel, from 1; 1 without any sampled effect is the pixel's centre
+    std::uint32_t light_samples = 1;  ///< places on each light with a size, from 1, at each hit
+    /// Sets of random numbers, independent of each other, that `samples` are shared out among: more
+    /// than one say how large the picture's error is. The first ones take what does not go evenly.
+    std::uint32_t scrambles = 1;
+    std::optional<ErrorGoal> goal;  ///< if set, `samples` and `scrambles` are not read
     std::uint32_t bounces = 4;
     std::uint64_t seed = 0;
+    std::uint64_t salts = 0;  ///< as SamplePass has them: other numbers for some kinds of draws
     PixelFilter filter = PixelFilter::kBox;
     Precision precision = Precision::kFloat;
     Acceleration acceleration = Acceleration::kFast;

@@ -11,4 +11,7 @@ namespace cobble::math {
 double srgb_to_linear(double display);
 Vec3d srgb_to_linear(Vec3d display);
 
+/// The way back, one channel, on the same terms.
+double linear_to_srgb(double light);
+
 }  // namespace cobble::math

@@ -7,6 +7,7 @@
 #include "renderer/compat/trace.hpp"
 #include "renderer/sampling/hash.hpp"
 #include "renderer/scene/prepared_scene.hpp"
+#include "renderer/tile/pixel_mask.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -40,6 +41,7 @@ class PausedTile : public PausedWork {
         : grid(rules, settings.width, settings.height, tile.x0, tile.y0, tile.x1, tile.y1) {}
 
     SampleGrid grid;
+    std::uint64_t pixel = 0;  ///< of the tile, row by row: those before it are finished
     std::uint64_t next = 0;
     std::uint32_t lens_ray = 0;
     ir::Color lens_sum;
@@ -78,7 +80,7 @@ class CompatRenderer : public TileRenderer {
         }
         auto& state = static_cast<PausedTile&>(*work.paused);
         while (!work.done()) {
-            const std::uint32_t y = work.tile.y(work.pixels_done);
+            const std::uint32_t y = work.tile.y(state.pixel);
             const std::uint64_t needed = state.grid.needed_for_row(y);
             while (state.next < needed) {
                 if (stop(work.counters.box_tests + work.counters.primitive_tests)) return;
@@ -145,9 +147,11 @@ class CompatRenderer : public TileRenderer {
         work.report(bad);
     }
 
-    void finish_pixel(const PausedTile& state, TileWork& work, Film& film) const {
-        const std::uint32_t x = work.tile.x(work.pixels_done);
-        const std::uint32_t y = work.tile.y(work.pixels_done);
+    void finish_pixel(PausedTile& state, TileWork& work, Film& film) const {
+        const std::uint32_t x = work.tile.x(state.pixel);
+        const std::uint32_t y = work.tile.y(state.pixel);
+        ++state.pixel;
+        if (work.pass.active != nullptr && !work.pass.active->has(x, y)) return;
         Pixel pixel;
         pixel.color = state.grid.pixel(x, y);
         pixel.samples = scene_.rules.grid * scene_.rules.grid * rays_per_sample(scene_.rules);

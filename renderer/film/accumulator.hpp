@@ -67,6 +67,7 @@ struct Pixel {
     math::Vec3d normal;
     math::Vec3d albedo;
     std::uint32_t samples = 0;  ///< those that count
+    std::uint32_t hits = 0;     ///< those of them that hit something
 };
 
 /// Colour, normal and albedo are means over all samples; depth is the mean over those that hit.
@@ -106,6 +107,7 @@ class PixelAccumulator {
             result.normal = normal_.value() / n;
             result.albedo = albedo_.value() / n;
         }
+        result.hits = hits_;
         if (hits_ > 0) result.depth = depth_.value() / static_cast<double>(hits_);
         return result;
     }

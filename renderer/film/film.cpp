@@ -37,23 +37,47 @@ Film::Film(const Settings& settings) : window_(window_of(settings)) {
     if (settings.want_sample_count) picture_.sample_count = make_plane(window_, 1, 0.0F);
 }
 
-void Film::set_pixel(std::uint32_t x, std::uint32_t y, const Pixel& pixel) {
-    set_color(x, y, pixel.color, pixel.samples);
-    const std::size_t index = index_of(x, y);
-    if (!picture_.depth.values.empty()) {
-        picture_.depth.values[index] = pixel.depth == std::numeric_limits<double>::infinity()
-                                           ? std::numeric_limits<float>::infinity()
-                                           : narrow(pixel.depth);
+void Film::begin_sums(std::uint32_t scrambles, bool squares) {
+    const std::size_t pixels = std::size_t{picture_.color.width} * picture_.color.height;
+    sums_.emplace(
+        pixels, scrambles,
+        ScrambleSums::Wanted{!picture_.depth.values.empty(), !picture_.normals.values.empty(),
+                             !picture_.albedo.values.empty(), squares});
+}
+
+void Film::show(std::size_t index, const Pixel& pixel, Picture& picture) const {
+    set3(picture.color, index, pixel.color);
+    if (!picture.sample_count.values.empty()) {
+        picture.sample_count.values[index] = static_cast<float>(pixel.samples);
     }
-    if (!picture_.normals.values.empty()) set3(picture_.normals, index, pixel.normal);
-    if (!picture_.albedo.values.empty()) set3(picture_.albedo, index, pixel.albedo);
+    if (!picture.depth.values.empty()) {
+        picture.depth.values[index] = pixel.depth == std::numeric_limits<double>::infinity()
+                                          ? std::numeric_limits<float>::infinity()
+                                          : narrow(pixel.depth);
+    }
+    if (!picture.normals.values.empty()) set3(picture.normals, index, pixel.normal);
+    if (!picture.albedo.values.empty()) set3(picture.albedo, index, pixel.albedo);
+}
+
+void Film::set_pixel(std::uint32_t x, std::uint32_t y, const Pixel& pixel) {
+    const std::size_t index = index_of(x, y);
+    if (sums_) return sums_->add(index, scramble_, pixel);
+    show(index, pixel, picture_);
 }
 
 void Film::set_color(std::uint32_t x, std::uint32_t y, math::Vec3d color, std::uint32_t samples) {
     const std::size_t index = index_of(x, y);
+    if (sums_) return sums_->add_color(index, scramble_, color, samples);
     set3(picture_.color, index, color);
     if (picture_.sample_count.values.empty()) return;
     picture_.sample_count.values[index] = static_cast<float>(samples);
+}
+
+Picture Film::picture() const {
+    Picture result = picture_;
+    if (!sums_) return result;
+    for (std::size_t i = 0; i < sums_->pixels(); ++i) show(i, sums_->pixel(i), result);
+    return result;
 }
 
 }  // namespace cobble::renderer

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "renderer/film/accumulator.hpp"
 #include "renderer/film/picture.hpp"
+#include "renderer/film/scramble_sums.hpp"
 #include "renderer/settings.hpp"
 
 namespace cobble::renderer {
@@ -23,15 +25,29 @@ class Film {
     void set_pixel(std::uint32_t x, std::uint32_t y, const Pixel& pixel);
     /// The same of a pixel of which only the colour is wanted, and how many samples it took.
     void set_color(std::uint32_t x, std::uint32_t y, math::Vec3d color, std::uint32_t samples);
-    [[nodiscard]] const Picture& picture() const { return picture_; }
+
+    /// From now on pixels are set once in each pass, and the picture is the mean over all: by
+    /// scramble, of which there are so many. What was seen before is forgotten.
+    /// With `squares` each pass takes one sample of a pixel, which is clamped to [0, 1].
+    void begin_sums(std::uint32_t scrambles, bool squares = false);
+    /// What comes is of this scramble.
+    void begin_pass(std::uint32_t scramble) { scramble_ = scramble; }
+    /// Of the window, rows from the top; null without begin_sums().
+    [[nodiscard]] const ScrambleSums* sums() const { return sums_ ? &*sums_ : nullptr; }
+    [[nodiscard]] ScrambleSums* sums() { return sums_ ? &*sums_ : nullptr; }
+
+    [[nodiscard]] Picture picture() const;
 
   private:
+    void show(std::size_t index, const Pixel& pixel, Picture& picture) const;
     [[nodiscard]] std::size_t index_of(std::uint32_t x, std::uint32_t y) const {
         return std::size_t{y - window_.y0} * (window_.x1 - window_.x0) + (x - window_.x0);
     }
 
     Crop window_;
     Picture picture_;
+    std::optional<ScrambleSums> sums_;
+    std::uint32_t scramble_ = 0;
 };
 
 }  // namespace cobble::renderer

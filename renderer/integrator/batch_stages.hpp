@@ -22,8 +22,8 @@ class BatchStages {
     [[nodiscard]] RayBatch<T>& rays() { return rays_; }
     void begin() { stage_ = Stage::kMeet; }
 
-    /// Goes one stage on; true once the colours are known. Draws for light `light` at what the ray
-    /// at a place of the batch met come from `draw(place, light)`.
+    /// Goes one stage on; true once the colours are known. Draws for question `number` to light
+    /// `light` at what the ray at a place of the batch met come from `draw(place, light, number)`.
     template <typename Draws>
     bool step(Counters& counters, const Draws& draw) {
         switch (stage_) {
@@ -39,12 +39,13 @@ class BatchStages {
                     }
                 }
                 shading_.look(rays_, std::span<const Hit<T>>(hits_).first(rays_.size()));
-                light_ = 0;
+                light_ = number_ = 0;
                 stage_ =
                     shading_.any_lit() && !scene_->lights.empty() ? Stage::kAsk : Stage::kColor;
                 break;
             case Stage::kAsk:
-                shading_.ask(light_, [&](std::size_t place) { return draw(place, light_); });
+                shading_.ask(light_,
+                             [&](std::size_t place) { return draw(place, light_, number_); });
                 counters.shadow_rays += shading_.shadow().size();
                 stage_ = Stage::kShadow;
                 break;
@@ -54,7 +55,10 @@ class BatchStages {
                 }
                 shading_.add_unhidden(
                     std::span<const Hit<T>>(hidden_by_).first(shading_.shadow().size()));
-                ++light_;
+                if (++number_ == scene_->lights[light_].samples) {
+                    number_ = 0;
+                    ++light_;
+                }
                 stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kColor;
                 break;
             case Stage::kColor:
@@ -75,6 +79,7 @@ class BatchStages {
     const ShadingScene<T>* scene_;
     Stage stage_ = Stage::kMeet;
     std::uint32_t light_ = 0;
+    std::uint32_t number_ = 0;  ///< of the questions to it
     RayBatch<T> rays_;
     Pace pace_;
     std::array<Hit<T>, kBatchSize> hits_;

@@ -23,24 +23,23 @@ constexpr std::size_t kMostRays = 1U << 15U;
 
 template <typename T>
 BatchedTile<T>::BatchedTile(const ShadingScene<T>& scene, const Settings& settings,
-                            const Tile& tile)
+                            const TileWork& work)
     : scene_(&scene),
       only_color_(color_tells_all(scene, settings)),
-      samples_(std::max(settings.samples, 1U)),
-      left_(tile.pixels() * samples_),
+      left_(work.pixels * work.pass.count),
       run_size_(kMostSamples),
-      camera_(scene, settings, tile),
+      camera_(scene, settings, work.pass, work.tile),
       batch_(scene),
-      next_to_land_(tile) {
+      next_to_land_(work.pass, work.tile) {
     begin_run();
 }
 
 template <typename T>
 bool BatchedTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
-    const auto draw = [this](std::size_t lane, std::uint32_t light) {
+    const auto draw = [this](std::size_t lane, std::uint32_t light, std::uint32_t number) {
         const Carried<T>& of = carried_[lane];
-        return flights_[of.sample].sampler.draw(Draw::kLight, tree_.group_of(of.number).path,
-                                                light);
+        return flights_[of.sample].sampler.draw(Draw::kLight, tree_.group_of(of.number).path, light,
+                                                number, scene_->lights[light].samples);
     };
     while (!work.done()) {
         if (stop.between_stages(work.counters.tests())) return false;
@@ -79,7 +78,7 @@ void BatchedTile<T>::begin_batch(TileWork& work) {
 
 template <typename T>
 void BatchedTile<T>::begin_camera_batch(TileWork& work) {
-    camera_.begin(work.tile, flights_.size() - begun_, from_camera_);
+    camera_.begin(flights_.size() - begun_, from_camera_);
     RayBatch<T>& rays = batch_.rays();
     rays = from_camera_;
     work.counters.camera_rays += rays.size();
@@ -313,16 +312,15 @@ bool BatchedTile<T>::take_up() {
 template <typename T>
 void BatchedTile<T>::land(TileWork& work, Film& film) {
     for (const Flight& flight : flights_) {
-        const PixelPlace at = next_to_land_.place;
+        const PixelPlace at = next_to_land_.place();
         const bool sound =
             only_color_ ? sums_.add_color(flight.sample.color) : sums_.add(flight.sample);
         if (!sound) {
-            work.report(
-                bad_sample(*scene_->source, at.x, at.y, next_to_land_.sample, flight.first_object));
+            work.report(bad_sample(*scene_->source, at.x, at.y, next_to_land_.sample(),
+                                   flight.first_object));
         }
         ++work.samples_done;
-        next_to_land_.advance(work.tile, samples_);
-        if (next_to_land_.sample != 0) continue;
+        if (!next_to_land_.advance()) continue;
         film.set_pixel(at.x, at.y, sums_.pixel());
         sums_ = {};
         ++work.pixels_done;

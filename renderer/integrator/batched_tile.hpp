@@ -32,10 +32,10 @@ namespace cobble::renderer {
 template <typename T>
 class BatchedTile final : public PausedWork {
   public:
-    /// Both must outlive this.
-    BatchedTile(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
+    /// Scene and settings must outlive this.
+    BatchedTile(const ShadingScene<T>& scene, const Settings& settings, const TileWork& work);
 
-    /// Goes on with `work`, whose tile is this one; true once it is done, false if stopped.
+    /// Goes on with `work`, the one that this was made for; true once it is done, false if stopped.
     bool run(TileWork& work, Film& film, StopCheck& stop);
 
   private:
@@ -81,8 +81,7 @@ class BatchedTile final : public PausedWork {
 
     const ShadingScene<T>* scene_;
     bool only_color_;
-    std::uint32_t samples_;  ///< a pixel
-    std::uint64_t left_;     ///< samples of the tile that are in no run yet
+    std::uint64_t left_;  ///< samples of the tile that are in no run yet
 
     // A run of samples.
     std::size_t run_size_;

@@ -10,34 +10,34 @@ namespace cobble::renderer {
 
 template <typename T>
 CameraBatch<T>::CameraBatch(const ShadingScene<T>& scene, const Settings& settings,
-                            const Tile& tile)
+                            const SamplePass& pass, const Tile& tile)
     : scene_(&scene),
       settings_(&settings),
       loops_(&column_loops<T>()),
-      samples_(std::max(settings.samples, 1U)),
+      pass_(pass),
       simple_(!scene.effects.depth_of_field && !scene.effects.motion_blur),
-      next_(tile),
+      next_(pass, tile),
       columns_(std::make_unique<CameraColumns>()) {}
 
 /// Where begin_sample() lets the ray through.
 template <typename T>
 void CameraBatch<T>::place_in_pixels() {
     CameraColumns& c = *columns_;
-    if (samples_ == 1) {
+    if (pass_.centred) {
         for (std::size_t i = 0; i < c.run_count; ++i) {
             c.x[i] = c.runs[i].x + 0.5;
             c.y[i] = c.runs[i].y + 0.5;
         }
         return;
     }
-    if (settings_->filter == PixelFilter::kBox) {
+    if (settings_->filter == PixelFilter::kBox && pass_.scatter == Scatter::kSobol) {
         loops_->place_in_pixels(c);
         return;
     }
     for (const PixelRun& run : std::span(c.runs).first(c.run_count)) {
         for (std::uint32_t i = 0; i < run.count; ++i) {
-            const Uniform2 u = sobol_point_of_reversed(reverse_bits(run.first + i), run.seeds);
-            const math::Vec2d offset = sample_filter(u, settings_->filter);
+            const Sampler sampler(pass_, run.x, run.y, run.first + i);
+            const math::Vec2d offset = sample_filter(sampler.draw(Draw::kPixel), settings_->filter);
             c.x[run.begin + i] = (run.x + 0.5) + offset.x;
             c.y[run.begin + i] = (run.y + 0.5) + offset.y;
         }
@@ -45,44 +45,40 @@ void CameraBatch<T>::place_in_pixels() {
 }
 
 template <typename T>
-std::size_t CameraBatch<T>::choose(const Tile& tile, std::size_t most) {
+std::size_t CameraBatch<T>::choose(std::size_t most) {
     CameraColumns& c = *columns_;
     most = std::min(most, kBatchSize);
     std::size_t count = 0;
     c.run_count = 0;
-    while (count < most && !next_.at_end(tile)) {
+    while (count < most && !next_.at_end()) {
         static_assert(kBatchSize <= 256);
-        const PixelPlace at = next_.place;
+        const PixelPlace at = next_.place();
         PixelRun& run = c.runs[c.run_count];
         run.x = at.x;
         run.y = at.y;
         run.begin = static_cast<std::uint32_t>(count);
-        run.first = next_.sample;
-        if (samples_ == 1) {
-            run.count = 1;
-        } else {
-            run.count = static_cast<std::uint32_t>(
-                std::min<std::size_t>(most - count, samples_ - run.first));
-            const Sampler sampler(settings_->seed, at.x, at.y, 0);
-            run.seeds = sobol_seeds(sampler.set(Draw::kPixel, {}, 0));
+        run.first = next_.sample();
+        run.count = static_cast<std::uint32_t>(std::min<std::size_t>(most - count, next_.left()));
+        if (!pass_.centred) {
+            run.seeds = sobol_seeds(Sampler(pass_, at.x, at.y, 0).set(Draw::kPixel, {}, 0));
         }
         std::fill_n(&run_[count], run.count, static_cast<std::uint8_t>(c.run_count++));
         count += run.count;
-        next_.advance(tile, samples_, run.count);
+        next_.advance(run.count);
     }
     return count;
 }
 
 template <typename T>
-void CameraBatch<T>::begin(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
-    begin_in_columns(tile, most, batch);
+void CameraBatch<T>::begin(std::size_t most, RayBatch<T>& batch) {
+    begin_in_columns(most, batch);
     if (!batch.in_columns) return;
     for (std::size_t i = 0; i < batch.size(); ++i) batch.rays[i] = batch.ray(i);
 }
 
 template <typename T>
-void CameraBatch<T>::begin_in_columns(const Tile& tile, std::size_t most, RayBatch<T>& batch) {
-    const std::size_t count = choose(tile, most);
+void CameraBatch<T>::begin_in_columns(std::size_t most, RayBatch<T>& batch) {
+    const std::size_t count = choose(most);
     CameraColumns& c = *columns_;
     place_in_pixels();
     batch.begin(count);

@@ -13,46 +13,24 @@
 #include "renderer/integrator/stages.hpp"
 #include "renderer/sampling/sampler.hpp"
 #include "renderer/settings.hpp"
-#include "renderer/tile/pixel_order.hpp"
+#include "renderer/tile/sample_cursor.hpp"
 #include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
-
-/// Goes over a tile's samples.
-struct SampleCursor {
-    std::uint64_t pixel = 0;
-    std::uint32_t sample = 0;  ///< of the pixel
-    PixelInBlock found;        ///< the pixel
-    PixelPlace place;          ///< of the pixel
-
-    explicit SampleCursor(const Tile& tile) : found(find_pixel(tile, 0)), place(found.place()) {}
-    [[nodiscard]] bool at_end(const Tile& tile) const { return pixel >= tile.pixels(); }
-    /// By `count` samples of the pixel, at most as many as it still has.
-    void advance(const Tile& tile, std::uint32_t samples_per_pixel, std::uint32_t count = 1) {
-        sample += count;
-        if (sample < samples_per_pixel) return;
-        sample = 0;
-        ++pixel;
-        if (++found.inside == found.block.pixels()) {
-            if (at_end(tile)) return;
-            found = find_pixel(tile, pixel);
-        }
-        place = found.place();
-    }
-};
 
 template <typename T>
 class CameraBatch {
   public:
     /// Both must outlive this.
-    CameraBatch(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
+    CameraBatch(const ShadingScene<T>& scene, const Settings& settings, const SamplePass& pass,
+                const Tile& tile);
 
     /// Begins the next samples, `most` of them or as many as there are, but at most kBatchSize, and
     /// makes `rays` theirs, one stretch. The same batch each time: what all rays have in common
     /// stays in it.
-    void begin(const Tile& tile, std::size_t most, RayBatch<T>& rays);
+    void begin(std::size_t most, RayBatch<T>& rays);
     /// The same, but rays that are in columns are only there.
-    void begin_in_columns(const Tile& tile, std::size_t most, RayBatch<T>& rays);
+    void begin_in_columns(std::size_t most, RayBatch<T>& rays);
 
     // Of the samples begun last, by their place in the batch.
     [[nodiscard]] PixelPlace place(std::size_t i) const {
@@ -65,19 +43,19 @@ class CameraBatch {
     }
     [[nodiscard]] Sampler sampler(std::size_t i) const {
         const PixelRun& run = run_of(i);
-        return {settings_->seed, run.x, run.y, sample(i)};
+        return {pass_, run.x, run.y, sample(i)};
     }
 
   private:
-    std::size_t choose(const Tile& tile, std::size_t most);
+    std::size_t choose(std::size_t most);
     void place_in_pixels();
     [[nodiscard]] const PixelRun& run_of(std::size_t i) const { return columns_->runs[run_[i]]; }
 
     const ShadingScene<T>* scene_;
     const Settings* settings_;
     const ColumnLoops<T>* loops_;
-    std::uint32_t samples_;  ///< a pixel
-    bool simple_;            ///< neither lens nor time
+    SamplePass pass_;
+    bool simple_;  ///< neither lens nor time
     SampleCursor next_;
     std::unique_ptr<CameraColumns> columns_;
     std::array<std::uint8_t, kBatchSize> run_{};  ///< by place in the batch

@@ -6,20 +6,21 @@
 namespace cobble::renderer {
 
 template <typename T>
-FlatTile<T>::FlatTile(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile)
+FlatTile<T>::FlatTile(const ShadingScene<T>& scene, const Settings& settings, const TileWork& work)
     : scene_(&scene),
-      samples_(std::max(settings.samples, 1U)),
+      samples_(work.pass.count),
       most_(samples_ > kBatchSize ? kBatchSize : kBatchSize - kBatchSize % samples_),
       only_color_(color_tells_all(scene, settings)),
-      camera_(scene, settings, tile),
+      camera_(scene, settings, work.pass, work.tile),
       batch_(scene),
       loops_(&column_loops<T>()),
       pixel_sums_{} {}
 
 template <typename T>
 bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
-    const auto draw = [this](std::size_t lane, std::uint32_t light) {
-        return camera_.sampler(lane).draw(Draw::kLight, PathAddress{}, light);
+    const auto draw = [this](std::size_t lane, std::uint32_t light, std::uint32_t number) {
+        return camera_.sampler(lane).draw(Draw::kLight, PathAddress{}, light, number,
+                                          scene_->lights[light].samples);
     };
     while (!work.done()) {
         if (stop.between_stages(work.counters.tests())) return false;
@@ -35,7 +36,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
     RayBatch<T>& rays = batch_.rays();
-    camera_.begin_in_columns(work.tile, most_, rays);
+    camera_.begin_in_columns(most_, rays);
     work.counters.camera_rays += rays.size();
     batch_.begin();
     on_its_way_ = true;
@@ -73,7 +74,7 @@ void FlatTile<T>::land_one_by_one(TileWork& work, Film& film) {
             work.report(bad_sample(*scene_->source, at.x, at.y, camera_.sample(lane),
                                    batch_.hit(lane).object));
         }
-        if (camera_.sample(lane) + 1 < samples_) continue;
+        if (camera_.sample(lane) + 1 < work.pass.first + samples_) continue;
         film.set_pixel(at.x, at.y, sums_.pixel());
         sums_ = {};
         ++work.pixels_done;

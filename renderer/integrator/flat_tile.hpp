@@ -17,10 +17,10 @@ namespace cobble::renderer {
 template <typename T>
 class FlatTile final : public PausedWork {
   public:
-    /// Both must outlive this. The scene's any_scatters() is false.
-    FlatTile(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
+    /// Scene and settings must outlive this. The scene's any_scatters() is false.
+    FlatTile(const ShadingScene<T>& scene, const Settings& settings, const TileWork& work);
 
-    /// Goes on with `work`, whose tile is this one; true once it is done, false if stopped.
+    /// Goes on with `work`, the one that this was made for; true once it is done, false if stopped.
     bool run(TileWork& work, Film& film, StopCheck& stop);
 
   private:
@@ -31,7 +31,7 @@ class FlatTile final : public PausedWork {
     void land_one_by_one(TileWork& work, Film& film);
 
     const ShadingScene<T>* scene_;
-    std::uint32_t samples_;  ///< a pixel
+    std::uint32_t samples_;  ///< a pixel, in this pass
     std::size_t most_;       ///< samples in a batch: whole pixels, if they are not too large
     bool only_color_;  ///< nothing else of a sample is wanted, nor can it be unsound by itself
     bool on_its_way_ = false;  ///< a batch is

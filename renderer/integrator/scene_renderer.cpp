@@ -18,7 +18,7 @@ template <typename T>
 template <typename Way>
 void SceneRenderer<T>::go_on(TileWork& work, Film& film, StopCheck& stop) const {
     if (work.done()) return;
-    if (work.paused == nullptr) work.paused = std::make_unique<Way>(scene_, settings_, work.tile);
+    if (work.paused == nullptr) work.paused = std::make_unique<Way>(scene_, settings_, work);
     if (static_cast<Way&>(*work.paused).run(work, film, stop)) work.paused.reset();
 }
 

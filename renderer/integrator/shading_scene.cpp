@@ -85,8 +85,10 @@ ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings
                            nullptr,
                            std::min(settings.bounces, kMostBounces)};
     result.lights.reserve(scene.lights.size());
+    const std::uint32_t light_samples =
+        effects.soft_shadows ? std::max(settings.light_samples, 1U) : 1;
     for (const ir::Light& light : scene.lights) {
-        result.lights.push_back(prepare_light(light, result.geometry.origin));
+        result.lights.push_back(prepare_light(light, result.geometry.origin, light_samples));
     }
     if (effects.environment && scene.background.cube_map.valid()) {
         result.sky = &scene.cube_maps[scene.background.cube_map.value];

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The reference's way through a tile: one ray at a time, every sample of a pixel in order, then the
-// next pixel, row by row.
+// next pixel.
 #pragma once
 
 #include <cstdint>
 
 #include "renderer/integrator/trace.hpp"
+#include "renderer/tile/sample_cursor.hpp"
 #include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
@@ -13,10 +14,10 @@ namespace cobble::renderer {
 template <typename T>
 class SingleTile final : public PausedWork {
   public:
-    /// Both must outlive this.
-    SingleTile(const ShadingScene<T>& scene, const Settings& settings, const Tile& tile);
+    /// Scene and settings must outlive this.
+    SingleTile(const ShadingScene<T>& scene, const Settings& settings, const TileWork& work);
 
-    /// Goes on with `work`, whose tile is this one; true once it is done, false if stopped.
+    /// Goes on with `work`, the one that this was made for; true once it is done, false if stopped.
     bool run(TileWork& work, Film& film, StopCheck& stop);
 
   private:
@@ -24,10 +25,10 @@ class SingleTile final : public PausedWork {
     bool finish_sample(TileWork& work, StopCheck& stop);
 
     const ShadingScene<T>* scene_;
-    const Settings* settings_;
+    PixelFilter filter_;
+    SampleCursor next_;  ///< the sample on the trace, or the next one
     PixelAccumulator sums_;
     SampleTrace<T> trace_;
-    std::uint32_t sample_ = 0;  ///< the one on the trace, or the next one
 };
 
 }  // namespace cobble::renderer

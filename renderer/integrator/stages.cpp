@@ -95,12 +95,14 @@ void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met) {
 
 template <typename T>
 LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
-                           const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light) {
+                           const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light,
+                           std::uint32_t number) {
     const PreparedLight& source = scene.lights[light];
     const PreparedMaterial<T>& material = *met.material;
     const LightSample<T> sample =
         scene.effects.soft_shadows && source.has_size()
-            ? light_sample(source, met.point.position, sampler.draw(Draw::kLight, ray.path, light))
+            ? light_sample(source, met.point.position,
+                           sampler.draw(Draw::kLight, ray.path, light, number, source.samples))
             : light_middle(source, met.point.position);
     LightQuestion<T> result;
     result.contribution =
@@ -161,14 +163,15 @@ void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encoun
     }
 }
 
-#define COBBLE_INSTANTIATE(T)                                                                     \
-    template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double);     \
-    template void meet(const ShadingScene<T>&, const Ray<T>&, Encounter<T>&);                     \
-    template math::Vec3<T> sky_color(const ShadingScene<T>&, math::Vec3<T>);                      \
-    template LightQuestion<T> ask_light(const ShadingScene<T>&, const Sampler&,                   \
-                                        const TracedRay<T>&, const Encounter<T>&, std::uint32_t); \
-    template math::Vec3<T> color_of(const ShadingScene<T>&, const Ray<T>&, const Encounter<T>&);  \
-    template void scatter(const ShadingScene<T>&, const TracedRay<T>&, const Encounter<T>&,       \
+#define COBBLE_INSTANTIATE(T)                                                                    \
+    template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double);    \
+    template void meet(const ShadingScene<T>&, const Ray<T>&, Encounter<T>&);                    \
+    template math::Vec3<T> sky_color(const ShadingScene<T>&, math::Vec3<T>);                     \
+    template LightQuestion<T> ask_light(const ShadingScene<T>&, const Sampler&,                  \
+                                        const TracedRay<T>&, const Encounter<T>&, std::uint32_t, \
+                                        std::uint32_t);                                          \
+    template math::Vec3<T> color_of(const ShadingScene<T>&, const Ray<T>&, const Encounter<T>&); \
+    template void scatter(const ShadingScene<T>&, const TracedRay<T>&, const Encounter<T>&,      \
                           Offspring<T>&);
 COBBLE_INSTANTIATE(float)
 COBBLE_INSTANTIATE(double)

@@ -3,7 +3,8 @@
 // rays go on from there. What light does is said here once; who asks the scene for hits, one ray at
 // a time or many, and in which order, is said elsewhere (trace.hpp, batched_tile.hpp).
 //
-//   meet, then for each light ask_light and a shadow ray, then color_of, then scatter
+//   meet, then for each light ask_light and a shadow ray, often as its `samples` say, then
+//   color_of, then scatter
 //
 // Stages neither allocate, lock nor throw, and change nothing but what they are handed.
 #pragma once
@@ -15,7 +16,7 @@
 #include "renderer/integrator/surface_shading.hpp"
 #include "renderer/intersect/surface.hpp"
 #include "renderer/sampling/sampler.hpp"
-#include "renderer/tile/stats.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::renderer {
 
@@ -67,10 +68,11 @@ struct LightQuestion {
     Departure<T> shadow;   ///< if it matters and shadows are simulated
 };
 
-/// For light `light` of the scene, at a surface that is lit.
+/// For light `light` of the scene, at a surface that is lit; question `number` of its `samples`.
 template <typename T>
 LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
-                           const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light);
+                           const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light,
+                           std::uint32_t number);
 
 /// What the ray brings back by itself: of the surface under its lights, or of the background.
 template <typename T>

@@ -11,27 +11,32 @@ template <typename T>
 void shine(const ShadingScene<T>& scene, const Sampler& sampler, const TracedRay<T>& ray,
            Encounter<T>& met, Counters& counters, std::vector<LightAtSurface<T>>* seen) {
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-        const LightQuestion<T> light = ask_light(scene, sampler, ray, met, i);
-        bool visible = light.matters;
-        if (visible && scene.effects.shadows) {
-            ++counters.shadow_rays;
-            visible = !any_hit(scene.geometry, light.shadow.ray, light.shadow.exclude, counters);
+        LightAtSurface<T> all{i, false, {}};
+        for (std::uint32_t number = 0; number < scene.lights[i].samples; ++number) {
+            const LightQuestion<T> light = ask_light(scene, sampler, ray, met, i, number);
+            bool visible = light.matters;
+            if (visible && scene.effects.shadows) {
+                ++counters.shadow_rays;
+                visible =
+                    !any_hit(scene.geometry, light.shadow.ray, light.shadow.exclude, counters);
+            }
+            if (!visible) continue;
+            met.light += light.contribution;
+            all.visible = true;
+            all.contribution += light.contribution;
         }
-        if (visible) met.light += light.contribution;
-        if (seen != nullptr) {
-            seen->push_back({i, visible, visible ? light.contribution : math::Vec3<T>{}});
-        }
+        if (seen != nullptr) seen->push_back(all);
     }
 }
 
 }  // namespace
 
 template <typename T>
-void begin_sample(const ShadingScene<T>& scene, const Settings& settings, const Sampler& sampler,
-                  std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace) {
+void begin_sample(const ShadingScene<T>& scene, PixelFilter filter, bool centred,
+                  const Sampler& sampler, std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace) {
     math::Vec2d at{x + 0.5, y + 0.5};
-    if (settings.samples > 1) {
-        const math::Vec2d offset = sample_filter(sampler.draw(Draw::kPixel), settings.filter);
+    if (!centred) {
+        const math::Vec2d offset = sample_filter(sampler.draw(Draw::kPixel), filter);
         at.x += offset.x;
         at.y += offset.y;
     }
@@ -84,7 +89,7 @@ void step(const ShadingScene<T>& scene, const Sampler& sampler, SampleTrace<T>& 
 }
 
 #define COBBLE_INSTANTIATE(T)                                                             \
-    template void begin_sample(const ShadingScene<T>&, const Settings&, const Sampler&,   \
+    template void begin_sample(const ShadingScene<T>&, PixelFilter, bool, const Sampler&, \
                                std::uint32_t, std::uint32_t, SampleTrace<T>&);            \
     template void bring_back(SampleTrace<T>&, const TracedRay<T>&, math::Vec3<T>,         \
                              const Offspring<T>&);                                        \

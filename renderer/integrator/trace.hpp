@@ -35,11 +35,11 @@ std::size_t deepest_stack(const ShadingScene<T>& scene) {
     return scene.bounces + std::size_t{2};
 }
 
-/// Puts the first ray of sample `sample` of pixel (x, y) on the trace's stack, which is empty. A
-/// pixel's only sample goes through its centre; of several, each falls where the filter says.
+/// Puts the first ray of a sample of pixel (x, y) on the trace's stack, which is empty: through the
+/// pixel's centre if `centred`, else where the filter says.
 template <typename T>
-void begin_sample(const ShadingScene<T>& scene, const Settings& settings, const Sampler& sampler,
-                  std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace);
+void begin_sample(const ShadingScene<T>& scene, PixelFilter filter, bool centred,
+                  const Sampler& sampler, std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace);
 
 /// What the pictures beside the colour see of a sample: the hit of its first ray, if there is one.
 template <typename T>

@@ -16,7 +16,7 @@
 #include "renderer/geometry/hit.hpp"
 #include "renderer/geometry/ray.hpp"
 #include "renderer/scene/prepared_scene.hpp"
-#include "renderer/tile/stats.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::renderer {
 

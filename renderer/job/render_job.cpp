@@ -13,6 +13,7 @@
 #include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/job/build_on.hpp"
 #include "renderer/job/fp_environment.hpp"
+#include "renderer/passes/pass_plan.hpp"
 #include "renderer/tile/tile_renderer.hpp"
 #include "renderer/tile/tiles.hpp"
 
@@ -67,6 +68,15 @@ std::unique_ptr<TileRenderer> prepare_renderer(const ir::Scene& scene, const Set
     return renderer;
 }
 
+/// A published program takes as many samples as its flags say, in one pass.
+Settings as_traced(const ir::Scene& scene, Settings settings) {
+    if (scene.compat == ir::Compat::kNone) return settings;
+    settings.samples = compat_samples_per_pixel(scene, settings);
+    settings.scrambles = 1;
+    settings.goal.reset();
+    return settings;
+}
+
 std::uint64_t bytes_of_images(const ir::Scene& scene) {
     std::uint64_t bytes = 0;
     for (const ir::Image& image : scene.images) {
@@ -83,15 +93,11 @@ class Job final : public RenderJob {
           scheduler_(&scheduler),
           film_(settings),
           tiles_(make_tiles(settings)),
+          plan_(make_plan(as_traced(scene, settings), tiles_)),
           in_hand_(scheduler.workers()),
           totals_(scheduler.workers()) {
-        std::uint64_t pixels = 0;
-        for (const Tile& tile : tiles_) pixels += tile.pixels();
-        const std::uint32_t samples = scene.compat == ir::Compat::kNone
-                                          ? std::max(settings.samples, 1U)
-                                          : compat_samples_per_pixel(scene, settings);
-        all_samples_ = pixels * samples;
-        if (tiles_.empty()) complete_ = true;
+        costs_.tile_seconds.assign(tiles_.size(), 0);
+        begin_pass();
     }
 
     Progress step(Deadline deadline) override {
@@ -101,7 +107,7 @@ class Job final : public RenderJob {
                 const Clock::time_point render_start = Clock::now();
                 const std::clock_t processor_start = std::clock();
                 render_until(deadline);
-                render_seconds_ += seconds_since(render_start);
+                costs_.wall_seconds += seconds_since(render_start);
                 render_processor_seconds_ +=
                     static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
             }
@@ -128,9 +134,10 @@ class Job final : public RenderJob {
         stats.bad_samples = sum.bad_samples;
         // Until it has ended, the preparation's figures are still being written.
         stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0, 0},
-                        {"render", render_seconds_, render_processor_seconds_}};
+                        {"render", costs_.wall_seconds, render_processor_seconds_}};
         stats.scene_bytes = prepared_ ? bytes_ : 0;
         if (prepared_) stats.notes = renderer_->notes();
+        stats.achieved = plan_->achieved();
         return stats;
     }
 
@@ -171,12 +178,46 @@ class Job final : public RenderJob {
         prepare_seconds_ = seconds_since(start);
     }
 
+    /// Goes on with the pass, and with those after it.
     void render_until(Deadline deadline) {
-        scheduler_->run([&](std::uint32_t worker) { work(worker, deadline); });
-        const bool all_taken = next_tile_.load(std::memory_order_relaxed) >= tiles_.size();
-        const bool none_in_hand = std::all_of(in_hand_.begin(), in_hand_.end(),
-                                              [](const auto& tile) { return tile == nullptr; });
-        complete_ = all_taken && none_in_hand;
+        while (!complete_) {
+            scheduler_->run([&](std::uint32_t worker) { work(worker, deadline); });
+            const bool all_taken = next_tile_.load(std::memory_order_relaxed) >= tiles_.size();
+            const bool none_in_hand = std::all_of(in_hand_.begin(), in_hand_.end(),
+                                                  [](const auto& tile) { return tile == nullptr; });
+            if (!all_taken || !none_in_hand) return;
+            begin_pass();
+            if (cancelled() || Clock::now() >= deadline) return;
+        }
+    }
+
+    /// The next one; if there is none the picture is complete.
+    void begin_pass() {
+        const FpEnvironment environment;
+        const std::optional<Pass> pass = tiles_.empty() ? std::nullopt : plan_->next(film_, costs_);
+        complete_ = !pass.has_value();
+        if (complete_) return;
+        pass_ = pass->samples;
+        film_.begin_pass(pass->scramble);
+        next_tile_.store(0, std::memory_order_relaxed);
+    }
+
+    /// The next tile of the pass in which there is something to do.
+    std::unique_ptr<TileWork> take_tile() {
+        while (true) {
+            const std::size_t next = next_tile_.fetch_add(1, std::memory_order_relaxed);
+            if (next >= tiles_.size()) return nullptr;
+            const Tile& tile = tiles_[next];
+            const std::uint64_t pixels =
+                pass_.active == nullptr ? tile.pixels() : pass_.active->count_in(tile);
+            if (pixels == 0) continue;
+            auto work = std::make_unique<TileWork>();
+            work->tile = tile;
+            work->index = next;
+            work->pass = pass_;
+            work->pixels = pixels;
+            return work;
+        }
     }
 
     /// One worker's share of a step. A tile that it has to put down stays in its hand.
@@ -186,13 +227,11 @@ class Job final : public RenderJob {
         std::unique_ptr<TileWork>& tile = in_hand_[worker];
         // The first ask is granted to the tile, not spent here, so that each step gets somewhere.
         do {
-            if (tile == nullptr) {
-                const std::size_t next = next_tile_.fetch_add(1, std::memory_order_relaxed);
-                if (next >= tiles_.size()) return;
-                tile = std::make_unique<TileWork>();
-                tile->tile = tiles_[next];
-            }
+            if (tile == nullptr) tile = take_tile();
+            if (tile == nullptr) return;
+            const Clock::time_point start = Clock::now();
             renderer_->render_tile(*tile, film_, stop);
+            costs_.tile_seconds[tile->index] += seconds_since(start);
             if (!tile->done()) return;
             totals_[worker].add(*tile);
             tile.reset();
@@ -212,9 +251,11 @@ class Job final : public RenderJob {
         const Totals sum = total();
         Progress result;
         result.done = complete_ || cancelled();
-        result.fraction = all_samples_ == 0 ? 1.0
-                                            : static_cast<double>(sum.samples) /
-                                                  static_cast<double>(all_samples_);
+        // What is expected is no more than that, until the last sample is there.
+        const auto expected = static_cast<double>(plan_->expected_samples());
+        const auto taken = static_cast<double>(sum.samples);
+        constexpr double kNearlyAll = 0.999;
+        result.fraction = complete_ ? 1 : taken >= expected ? kNearlyAll : taken / expected;
         result.rays = sum.counters.rays();
         result.seconds = seconds_;
         return result;
@@ -225,15 +266,16 @@ class Job final : public RenderJob {
     Scheduler* scheduler_;
     Film film_;
     std::vector<Tile> tiles_;
+    std::unique_ptr<PassPlan> plan_;
+    SamplePass pass_;
+    PassCosts costs_;
     std::vector<std::unique_ptr<TileWork>> in_hand_;  ///< by worker
     std::vector<Totals> totals_;                      ///< by worker
     std::unique_ptr<TileRenderer> renderer_;
     std::atomic<std::size_t> next_tile_ = 0;
     std::atomic<bool> cancelled_ = false;
-    std::uint64_t all_samples_ = 0;
     std::uint64_t bytes_ = 0;
     double prepare_seconds_ = 0;
-    double render_seconds_ = 0;
     double render_processor_seconds_ = 0;
     double seconds_ = 0;
     bool complete_ = false;

@@ -59,10 +59,11 @@ PickTree pick_in(const ir::Scene& scene, const Settings& settings, std::uint32_t
                  std::uint32_t y) {
     const Settings exact = without_sampling(settings);
     const auto shading = prepare_shading<T>(scene, exact);
-    const Sampler sampler(exact.seed, x, y, 0);
+    const SamplePass pass = whole_pass(exact.seed, 1);
+    const Sampler sampler(pass, x, y, 0);
     Counters counters;
     SampleTrace<T> start;
-    begin_sample(shading, exact, sampler, x, y, start);
+    begin_sample(shading, exact.filter, pass.centred, sampler, x, y, start);
 
     PickTree tree;
     std::vector<math::Vec3d> tints;  // by node

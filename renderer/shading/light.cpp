@@ -6,7 +6,9 @@
 #include "renderer/shading/frame.hpp"
 
 namespace cobble::renderer {
-PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin) {
+
+PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin,
+                            std::uint32_t samples) {
     PreparedLight result;
     result.kind = light.kind;
     result.color = light.color;
@@ -19,6 +21,10 @@ PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin) {
         // 1 - cos(a) = 2 sin(a / 2)^2, without cancellation for a small sun.
         const double sine = math::sin(light.angle / 4);
         result.one_minus_cos_half_angle = 2 * sine * sine;
+    }
+    if (result.has_size()) {
+        result.samples = samples;
+        result.color = result.color / static_cast<double>(samples);
     }
     return result;
 }

@@ -18,11 +18,14 @@ struct PreparedLight {
     double falloff = 0;
     double radius = 0;
     double one_minus_cos_half_angle = 0;
+    std::uint32_t samples = 1;  ///< places on it that a surface asks; `color` is one's part
 
     [[nodiscard]] bool has_size() const { return radius > 0 || one_minus_cos_half_angle > 0; }
 };
 
-PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin);
+/// A light with a size is asked at `samples` places, at least 1.
+PreparedLight prepare_light(const ir::Light& light, math::Vec3d scene_origin,
+                            std::uint32_t samples = 1);
 
 template <typename T>
 struct LightSample {

@@ -3,31 +3,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "frontend/source/span.hpp"
+#include "renderer/estimate/achieved.hpp"
 #include "renderer/scene/preparation_note.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::renderer {
-
-/// Rays and tests, summed over all threads.
-struct Counters {
-    std::uint64_t camera_rays = 0;
-    std::uint64_t shadow_rays = 0;
-    std::uint64_t reflected_rays = 0;
-    std::uint64_t refracted_rays = 0;
-    std::uint64_t box_tests = 0;
-    std::uint64_t primitive_tests = 0;
-    std::uint64_t packet_rays = 0;  ///< searched in packets, once for each question
-
-    [[nodiscard]] std::uint64_t rays() const {
-        return camera_rays + shadow_rays + reflected_rays + refracted_rays;
-    }
-    [[nodiscard]] std::uint64_t tests() const { return box_tests + primitive_tests; }
-    Counters& operator+=(const Counters& other);
-};
 
 /// A sample that came out NaN or infinite: counted, located and left out of its pixel.
 struct BadSample {
@@ -52,7 +38,8 @@ struct Stats {
     std::vector<BadSample> bad_samples;  ///< the first 16 in pixel order
     std::vector<PreparationNote> notes;  ///< what preparing the geometry cost, by object
     std::vector<PhaseTime> phases;
-    std::uint64_t scene_bytes = 0;  ///< geometry, tree and textures as rendered
+    std::uint64_t scene_bytes = 0;     ///< geometry, tree and textures as rendered
+    std::optional<Achieved> achieved;  ///< once complete, if the render can tell
 };
 
 }  // namespace cobble::renderer

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/film/film.hpp"
+#include "renderer/sampling/sample_pass.hpp"
 #include "renderer/tile/stats.hpp"
 #include "renderer/tile/stop.hpp"
 
@@ -41,7 +42,10 @@ class PausedWork {
 /// A tile on its way. Used by one worker at a time, but not always by the same one.
 struct TileWork {
     Tile tile;
-    std::uint64_t pixels_done = 0;  ///< in whatever order the renderer takes them
+    std::size_t index = 0;  ///< of the tile, among the render's
+    SamplePass pass;
+    std::uint64_t pixels = 0;       ///< of the tile that the pass asks for
+    std::uint64_t pixels_done = 0;  ///< of those, in whatever order the renderer takes them
     std::unique_ptr<PausedWork> paused;
     std::uint64_t samples_done = 0;
     Counters counters;
@@ -50,7 +54,7 @@ struct TileWork {
 
     static constexpr std::size_t kBadSamplesKept = 16;
 
-    [[nodiscard]] bool done() const { return pixels_done == tile.pixels(); }
+    [[nodiscard]] bool done() const { return pixels_done == pixels; }
     void report(const BadSample& bad) {
         ++bad_sample_count;
         bad_samples.insert(std::upper_bound(bad_samples.begin(), bad_samples.end(), bad), bad);

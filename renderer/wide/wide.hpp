@@ -6,7 +6,7 @@
 
 #include "renderer/query/query.hpp"
 #include "renderer/scene/geometry.hpp"
-#include "renderer/tile/stats.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::renderer {
 

@@ -33,6 +33,26 @@ std::vector<Change> changes_of_pixels() {
         },
         [](Settings& s) { s.samples = 17; },
         [](Settings& s) { s.bounces = 5; },
+        [](Settings& s) { s.salts = 2; },
+        [](Settings& s) { s.light_samples = 2; },
+        [](Settings& s) { s.scrambles = 8; },
+        [](Settings& s) { s.goal = ErrorGoal{}; },
+        [](Settings& s) {
+            s.goal = ErrorGoal{};
+            s.goal->error = 0.02;
+        },
+        [](Settings& s) {
+            s.goal = ErrorGoal{};
+            s.goal->method = ErrorGoal::Method::kUnbiased;
+        },
+        [](Settings& s) {
+            s.goal = ErrorGoal{};
+            s.goal->most_samples = 128;
+        },
+        [](Settings& s) {
+            s.goal = ErrorGoal{};
+            s.goal->shown_as_srgb = true;
+        },
         [](Settings& s) { s.seed = 1; },
         [](Settings& s) { s.seed = ~std::uint64_t{0}; },
         [](Settings& s) { s.filter = PixelFilter::kTent; },
@@ -94,11 +114,13 @@ TEST_CASE("how a picture is made, and why an effect is on, leave the fingerprint
 
 // A field that is added makes this fail: decide whether it belongs in the fingerprint.
 TEST_CASE("no field of the settings is forgotten") {
-    const auto& [width, height, crop, samples, bounces, seed, filter, precision, acceleration,
-                 tile_size, effects, texture_filter, compat, shard_index, shard_count, want_depth,
-                 want_normals, want_albedo, want_sample_count] = Settings{};
+    const auto& [width, height, crop, samples, light_samples, scrambles, goal, bounces, seed, salts,
+                 filter, precision, acceleration, tile_size, effects, texture_filter, compat,
+                 shard_index, shard_count, want_depth, want_normals, want_albedo,
+                 want_sample_count] = Settings{};
+    const auto& [error, method, most_samples, shown_as_srgb] = ErrorGoal{};
     const auto& [shadows, jitter, tent, casting, pixelated, blurry, depth_min, depth_max] = compat;
-    const bool as_they_are = width == 640 && !shadows;
+    const bool as_they_are = width == 640 && !shadows && error == 0.01;
     CHECK(as_they_are);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/tile/stats.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::renderer {
 

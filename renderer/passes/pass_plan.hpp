@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Which passes a render takes over its picture, one after the other: a fixed number of samples is
+// one pass, or one for each scramble; a picture with an error to reach decides after each round of
+// passes which pixels need another.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "renderer/estimate/achieved.hpp"
+#include "renderer/film/film.hpp"
+#include "renderer/sampling/sample_pass.hpp"
+#include "renderer/settings.hpp"
+#include "renderer/tile/pixel_mask.hpp"
+#include "renderer/tile/tile_renderer.hpp"
+
+namespace cobble::renderer {
+
+struct Pass {
+    SamplePass samples;
+    std::uint32_t scramble = 0;
+};
+
+/// What the passes so far took.
+struct PassCosts {
+    std::vector<double> tile_seconds;  ///< by tile of the render, of one worker each
+    double wall_seconds = 0;
+};
+
+class PassPlan {
+  public:
+    PassPlan() = default;
+    PassPlan(const PassPlan&) = delete;
+    PassPlan& operator=(const PassPlan&) = delete;
+    virtual ~PassPlan() = default;
+
+    /// The pass after all those before it, whose samples are in `film`; nothing at the end. What it
+    /// points to stays until the next call. Depends on the samples alone, never on what they cost,
+    /// which is for predictions. Cost: at the end of a round some 0.3 us a pixel.
+    virtual std::optional<Pass> next(Film& film, const PassCosts& costs) = 0;
+    /// Samples over all pixels and passes, as far as it can be told: grows more true.
+    [[nodiscard]] virtual std::uint64_t expected_samples() const = 0;
+    /// How exact the picture is; after the end. Nothing if the plan cannot tell.
+    [[nodiscard]] virtual std::optional<Achieved> achieved() const = 0;
+
+    /// To go on in another program from bytes() of a plan of the same settings, asked for when its
+    /// last pass was not over: the next next() gives that pass again. False: they are of no such.
+    [[nodiscard]] virtual std::vector<std::uint8_t> bytes() const = 0;
+    [[nodiscard]] virtual bool restore(const std::vector<std::uint8_t>& bytes) = 0;
+};
+
+/// For settings of a scene without compat; `tiles` are the render's.
+std::unique_ptr<PassPlan> make_plan(const Settings& settings, const std::vector<Tile>& tiles);
+
+// By Settings::goal.
+std::unique_ptr<PassPlan> make_fixed_plan(const Settings& settings, const std::vector<Tile>& tiles);
+std::unique_ptr<PassPlan> make_adaptive_plan(const Settings& settings,
+                                             const std::vector<Tile>& tiles);
+std::unique_ptr<PassPlan> make_guarantee_plan(const Settings& settings,
+                                              const std::vector<Tile>& tiles);
+
+}  // namespace cobble::renderer
