@@ -14,6 +14,7 @@
 #include "tools/cobble/progress.hpp"
 #include "tools/cobble/usage.hpp"
 #include "tools/cobble/view_options.hpp"
+#include "tools/driver/report/figures.hpp"
 #include "tools/driver/report/stability_report.hpp"
 #include "tools/driver/text.hpp"
 #include "tools/driver/walk.hpp"

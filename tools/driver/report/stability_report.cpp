@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/driver/report/excerpt.hpp"
+#include "tools/driver/report/figures.hpp"
 #include "tools/driver/report/object_words.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/text.hpp"
@@ -334,10 +335,6 @@ Json object_entry(const StabilityReport& report, const ObjectStability& entry,
 }
 
 }  // namespace
-
-std::string counted(std::uint64_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 std::string stability_to_text(const StabilityReport& report, const ReportStyle& style) {
     Positions positions(report.sources);

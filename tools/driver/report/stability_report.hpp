@@ -34,7 +34,4 @@ std::string stability_line(const StabilityReport& report);
 /// "notes": [...]}: every object, worst first.
 Json stability_to_json(const StabilityReport& report);
 
-/// "1 ray", "12 rays".
-std::string counted(std::uint64_t count, std::string_view what);
-
 }  // namespace cobble::driver
