@@ -141,6 +141,8 @@ class Job final : public RenderJob {
         return stats;
     }
 
+    [[nodiscard]] const ScrambleSums* sums() const override { return film_.sums(); }
+
   private:
     [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
@@ -258,6 +260,7 @@ class Job final : public RenderJob {
         result.fraction = complete_ ? 1 : taken >= expected ? kNearlyAll : taken / expected;
         result.rays = sum.counters.rays();
         result.seconds = seconds_;
+        result.forecast = plan_->forecast();
         return result;
     }
 

@@ -8,9 +8,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "ir/scene/scene.hpp"
+#include "renderer/estimate/achieved.hpp"
 #include "renderer/film/picture.hpp"
+#include "renderer/film/scramble_sums.hpp"
 #include "renderer/job/scheduler.hpp"
 #include "renderer/settings.hpp"
 #include "renderer/tile/stats.hpp"
@@ -19,10 +22,11 @@
 namespace cobble::renderer {
 
 struct Progress {
-    bool done = false;       ///< finished or cancelled
-    double fraction = 0;     ///< of the samples, 0 to 1
-    std::uint64_t rays = 0;  ///< traced so far, of all kinds
-    double seconds = 0;      ///< spent in step() so far
+    bool done = false;                 ///< finished or cancelled
+    double fraction = 0;               ///< of the samples, 0 to 1
+    std::uint64_t rays = 0;            ///< traced so far, of all kinds
+    double seconds = 0;                ///< spent in step() so far
+    std::optional<Forecast> forecast;  ///< of a picture with an error to reach, once it has one
 };
 
 class RenderJob {
@@ -45,6 +49,8 @@ class RenderJob {
     /// What there is so far; complete if the job ran to its end.
     [[nodiscard]] virtual Picture picture() const = 0;
     [[nodiscard]] virtual Stats stats() const = 0;
+    /// By scramble, of a render of several; null of another.
+    [[nodiscard]] virtual const ScrambleSums* sums() const = 0;
 };
 
 /// `scene` and `scheduler` must outlive the job. Returns at once; all work happens in step().

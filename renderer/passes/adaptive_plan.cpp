@@ -28,6 +28,7 @@ class AdaptivePlan final : public PassPlan {
             each_pixel(tile, [this](std::size_t i) { active_.bytes()[i] = 1; });
         }
         level_.assign(active_.bytes().size(), 0);
+        width_.assign(active_.bytes().size(), 0);
         expected_ = static_cast<double>(pixels_) * kFewestSamples * (pilot_ ? 2 : 1);
     }
 
@@ -43,6 +44,7 @@ class AdaptivePlan final : public PassPlan {
     [[nodiscard]] std::uint64_t expected_samples() const override {
         return static_cast<std::uint64_t>(expected_);
     }
+    [[nodiscard]] std::optional<Forecast> forecast() const override { return forecast_; }
     [[nodiscard]] std::optional<Achieved> achieved() const override { return achieved_; }
 
     [[nodiscard]] std::vector<std::uint8_t> bytes() const override {
@@ -57,6 +59,7 @@ class AdaptivePlan final : public PassPlan {
         writer.put(achieved_.has_value());
         writer.put(achieved_.value_or(Achieved{}));
         writer.put_all(level_.data(), level_.size());
+        writer.put_all(width_.data(), width_.size());
         return writer.take();
     }
 
@@ -71,7 +74,8 @@ class AdaptivePlan final : public PassPlan {
                           reader.get(first_mean_square_) && reader.get(expected_) &&
                           reader.get(has_forecast) && reader.get(forecast) &&
                           reader.get(has_achieved) && reader.get(achieved) &&
-                          reader.get_all(level_.data(), level_.size()) && reader.at_end();
+                          reader.get_all(level_.data(), level_.size()) &&
+                          reader.get_all(width_.data(), width_.size()) && reader.at_end();
         if (!read || at > kMostLooks || round_ > kMostLooks) return false;
         (final_ ? final_level_ : scramble_) = at;
         if (has_forecast) forecast_ = forecast;
@@ -117,28 +121,26 @@ class AdaptivePlan final : public PassPlan {
         // Decided for all before any is taken out: neighbours are asked about each other.
         for (std::size_t i = 0; i < level_.size(); ++i) {
             if (active_.bytes()[i] == 0) continue;
-            if (!more || intervals.half_width(i, round_) <= goal_.error) {
-                level_[i] = static_cast<std::uint8_t>(round_);
-                active_.bytes()[i] = 0;
-            }
+            const double width = intervals.half_width(i, round_);
+            if (more && width > goal_.error) continue;
+            level_[i] = static_cast<std::uint8_t>(round_);
+            width_[i] = static_cast<float>(width);
+            active_.bytes()[i] = 0;
         }
         if (active_.count() == 0) {
-            conclude(*film.sums(), intervals);
+            conclude(*film.sums());
             return false;
         }
         ++round_;
         return true;
     }
 
-    void conclude(const ScrambleSums& sums, const Intervals& intervals) {
-        std::uint64_t beyond = 0;
-        const auto half_width = [&](std::size_t i) {
-            const double width = intervals.half_width(i, std::max<std::uint32_t>(level_[i], 1));
-            if (width > goal_.error) ++beyond;
-            return width;
-        };
+    void conclude(const ScrambleSums& sums) {
+        const auto half_width = [this](std::size_t i) { return width_[i]; };
         achieved_ = summarise(sums, half_width, goal_.shown_as_srgb);
-        achieved_->beyond_goal = beyond;
+        for (const float width : width_) {
+            if (width > goal_.error) ++achieved_->beyond_goal;
+        }
         achieved_->forecast = forecast_;
     }
 
@@ -219,6 +221,7 @@ class AdaptivePlan final : public PassPlan {
     PixelMask active_;
     std::uint64_t pixels_ = 0;
     std::vector<std::uint8_t> level_;  ///< the round after which a pixel was done; 0: it is not
+    std::vector<float> width_;         ///< half of its interval's then
     std::uint32_t round_ = 0;
     std::uint32_t scramble_ = 0;  ///< the next one of the round
     bool final_ = false;

@@ -42,6 +42,7 @@ class PassPlan {
     virtual std::optional<Pass> next(Film& film, const PassCosts& costs) = 0;
     /// Samples over all pixels and passes, as far as it can be told: grows more true.
     [[nodiscard]] virtual std::uint64_t expected_samples() const = 0;
+    [[nodiscard]] virtual std::optional<Forecast> forecast() const { return std::nullopt; }
     /// How exact the picture is; after the end. Nothing if the plan cannot tell.
     [[nodiscard]] virtual std::optional<Achieved> achieved() const = 0;
 

@@ -36,6 +36,7 @@ void add_diff(CLI::App& app, Context& context);
 void add_merge(CLI::App& app, Context& context);
 void add_pick(CLI::App& app, Context& context);
 void add_stability(CLI::App& app, Context& context);
+void add_cost(CLI::App& app, Context& context);
 void add_ir(CLI::App& app, Context& context);
 void add_dump(CLI::App& app, Context& context);
 

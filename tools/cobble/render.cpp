@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/cost/budget.hpp"
 #include "renderer/job/render_job.hpp"
+#include "tools/cobble/accuracy_options.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
@@ -20,6 +22,7 @@
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
 #include "tools/driver/render_targets.hpp"
+#include "tools/driver/report/accuracy_text.hpp"
 #include "tools/driver/report/preparation_notes.hpp"
 #include "tools/driver/report/render_stats.hpp"
 #include "tools/driver/target_files.hpp"
@@ -39,6 +42,7 @@ constexpr double kWorthKeeping = 0.01;
 
 struct Options {
     ViewOptions view;
+    AccuracyOptions accuracy;
     driver::TargetPaths pictures;
     std::string stats;
     std::string filter = "box";
@@ -89,6 +93,15 @@ class Render {
         const ViewOptions& view = options_.view;
         const std::optional<Shard>& shard = options_.shard;
         const std::optional<renderer::Crop>& crop = view.crop;
+        if (std::string problem = check_accuracy(options_.accuracy, !view.compat.empty());
+            !problem.empty()) {
+            return problem;
+        }
+        // Which pixels are done depends on their neighbours.
+        if (shard && options_.accuracy.error > 0 && !options_.accuracy.guarantee) {
+            return "'--shard' does not go with '--error': a pixel's samples depend on those of its "
+                   "neighbours, which are in other parts";
+        }
         if (options_.stats == "-") {
             return "'--stats' wants a file, and does not write to standard output (./- is a file "
                    "of that name)";
@@ -132,6 +145,7 @@ class Render {
         if (options_.reference) settings.acceleration = renderer::Acceleration::kBvh;
         if (options_.filter == "tent") settings.filter = renderer::PixelFilter::kTent;
         if (options_.filter == "gaussian") settings.filter = renderer::PixelFilter::kGaussian;
+        set_accuracy(options_.accuracy, options_.view.transfer == "srgb", settings);
         if (options_.shard) {
             settings.shard_index = options_.shard->index - 1;
             settings.shard_count = options_.shard->count;
@@ -153,12 +167,19 @@ class Render {
                                          : ProgressBar::Kind::kLines;
         ProgressBar bar(kind, driver::terminal_width(STDERR_FILENO, 80));
         const auto scheduler = renderer::make_thread_scheduler(options_.threads);
+        if (options_.accuracy.budget > 0 && !choose_samples(*scheduler)) return leave_as_it_was();
+        if (settings_of_goal() != nullptr) announce(*settings_of_goal());
         const auto job =
             renderer::start_render(view_.loaded.lowered.scene, view_.settings, *scheduler);
         const InterruptGuard guard(job.get());
         renderer::Progress progress;
         while (!progress.done) {
             progress = job->step(std::chrono::steady_clock::now() + kStep);
+            if (progress.forecast && !said_forecast_) {
+                said_forecast_ = true;
+                bar.clear();
+                say(driver::forecast_text(*progress.forecast, view_.settings.goal->error));
+            }
             bar.show(progress.fraction, progress.rays, progress.seconds);
         }
         bar.clear();
@@ -172,7 +193,8 @@ class Render {
                             std::floor(progress.fraction * 100), targets_.front().path));
             return kInterrupted;
         }
-        if (!options_.quiet) say_what_was_done(progress, picture.*targets_.front().plane);
+        if (!options_.quiet)
+            say_what_was_done(progress, job->stats(), picture.*targets_.front().plane);
         // With --keep-going there is a picture, and still something to mend.
         return driver::has_errors(view_.loaded.diagnostics) ? kFindings : kDone;
     }
@@ -185,20 +207,54 @@ class Render {
         return kInterrupted;
     }
 
-    void say_what_was_done(const renderer::Progress& progress,
+    void say(const std::string& text) const {
+        if (!options_.quiet) driver::write_error(text);
+    }
+
+    [[nodiscard]] const renderer::ErrorGoal* settings_of_goal() const {
+        return view_.settings.goal ? &*view_.settings.goal : nullptr;
+    }
+
+    void announce(const renderer::ErrorGoal& goal) const {
+        if (goal.method == renderer::ErrorGoal::Method::kGuarantee) {
+            say(driver::guarantee_text(goal));
+        }
+    }
+
+    // By a trial; false if it was interrupted.
+    bool choose_samples(renderer::Scheduler& scheduler) {
+        const InterruptGuard guard;
+        const auto choice = renderer::choose_for_budget(
+            view_.loaded.lowered.scene, view_.settings, options_.accuracy.budget, scheduler,
+            [] { return InterruptGuard::interrupted(); });
+        if (!choice) return false;
+        view_.settings.samples = choice->samples;
+        say(driver::budget_text(*choice, view_.settings.scrambles, options_.accuracy.budget));
+        return true;
+    }
+
+    void say_what_was_done(const renderer::Progress& progress, const renderer::Stats& stats,
                            const renderer::Plane32& plane) const {
         const double rate = static_cast<double>(progress.rays) / std::max(progress.seconds, 1e-9);
         // A published program takes as many samples as its flags say.
         const std::uint32_t samples = view_.settings.samples;
         const std::string sampling =
-            view_.compat != ir::Compat::kNone
-                ? "as " + options_.view.compat
+            view_.compat != ir::Compat::kNone ? "as " + options_.view.compat
+            : stats.achieved && settings_of_goal() != nullptr
+                ? fmt::format("{:.0f} samples a pixel", stats.achieved->samples)
                 : fmt::format("{} sample{} a pixel", samples, samples == 1 ? "" : "s");
         driver::write_error(fmt::format("{}: {}x{}, {}, {}rays in {:.2f} s ({}rays/s)\n",
                                         driver::printable(targets_.front().path), plane.width,
                                         plane.height, sampling,
                                         short_number(static_cast<double>(progress.rays)),
                                         progress.seconds, short_number(rate)));
+        if (!stats.achieved) return;
+        double render_seconds = 0;
+        for (const renderer::PhaseTime& phase : stats.phases) {
+            if (phase.name == "render") render_seconds = phase.seconds;
+        }
+        driver::write_error(
+            driver::achieved_text(*stats.achieved, settings_of_goal(), render_seconds));
     }
 
     int write(const renderer::Picture& picture, const renderer::Stats& stats,
@@ -247,6 +303,7 @@ class Render {
     const Options& options_;
     std::vector<driver::RenderTarget> targets_;
     View view_;
+    bool said_forecast_ = false;
 };
 
 void add_outputs(CLI::App& sub, Options& options) {
@@ -274,6 +331,7 @@ void add_render(CLI::App& app, Context& context) {
     CLI::App* sub = app.add_subcommand("render", "Render a scene to a picture");
     add_view_options(*sub, options->view);
     add_outputs(*sub, *options);
+    add_accuracy_options(*sub, options->accuracy);
     add_compat_options(*sub, options->view);
     add_parsed(*sub, "--crop", "X0,Y0,X1,Y1",
                "X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1, such as 0,0,320,240", parse_crop,
@@ -300,6 +358,10 @@ void add_render(CLI::App& app, Context& context) {
         for (const CLI::Option* option : sub->get_options()) {
             if (option->count() > 0) options->view.given.push_back(option->get_name());
         }
+        const auto given = [sub](const char* name) { return sub->count(name) > 0; };
+        options->accuracy.samples_given = given("--samples");
+        options->accuracy.scrambles_given = given("--scrambles");
+        options->accuracy.most_given = given("--max-samples");
         context.run = [options] { return Render(*options).run(); };
     });
 }

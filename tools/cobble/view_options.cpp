@@ -22,12 +22,14 @@ namespace {
 
 // A million samples a pixel are more than any scene's noise asks for.
 constexpr std::uint32_t kMaxSamples = 1U << 20U;
+// Of which each has samples of its own, of a 32-bit number.
+constexpr std::uint32_t kMaxLightSamples = 1024;
 // Nothing is left to see after so many mirrors.
 constexpr std::uint32_t kMaxBounces = 1000;
 
 /// What a command does with a scene.
 std::string_view verb_of(std::string_view command) {
-    if (command == "stability") return "measures";
+    if (command == "stability" || command == "cost") return "measures";
     return command == "pick" ? "picks from" : "renders";
 }
 
@@ -59,8 +61,9 @@ std::vector<std::string> idle_options(const ViewOptions& options, const View& vi
     const bool tracing = view.compat != ir::Compat::kA4 && !options.original_casting;
     const bool lens = view.compat == ir::Compat::kProject && options.original_casting &&
                       options.original_blurry > 0;
-    std::vector<std::string_view> idle = {"--samples",   "--filter",         "--precision",
-                                          "--reference", "--texture-filter", "--focus-distance"};
+    std::vector<std::string_view> idle = {"--samples",      "--filter",         "--precision",
+                                          "--reference",    "--texture-filter", "--focus-distance",
+                                          "--light-samples"};
     if (!lens) idle.emplace_back("--aperture");
     if (!lens && !options.original_jitter) idle.emplace_back("--seed");
     if (!tracing) idle.emplace_back("--bounces");
@@ -153,6 +156,11 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
     require_whole(sub.add_option("--samples", options.samples, "Samples a pixel"), 1, kMaxSamples)
         ->type_name("N")
         ->capture_default_str();
+    require_whole(sub.add_option("--light-samples", options.light_samples,
+                                 "Places on each light with a size that a hit asks"),
+                  1, kMaxLightSamples)
+        ->type_name("N")
+        ->capture_default_str();
     require_whole(sub.add_option("--seed", options.seed, "Another number, another noise"), 0,
                   std::numeric_limits<std::uint64_t>::max())
         ->type_name("N")
@@ -238,6 +246,7 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
     settings.height = options.size.height;
     settings.crop = options.crop;
     settings.samples = options.samples;
+    settings.light_samples = options.light_samples;
     settings.bounces = options.bounces;
     settings.seed = options.seed;
     settings.precision =

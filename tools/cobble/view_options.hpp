@@ -32,6 +32,7 @@ struct ViewOptions {
     std::string texture_filter;
     std::optional<DepthRange> depth_range;
     std::uint32_t samples = 16;
+    std::uint32_t light_samples = 1;
     std::uint32_t bounces = 4;
     std::uint64_t seed = 0;
     double aperture = -1;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// How many samples a time allows, told by pictures of few.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "renderer/cost/run.hpp"
+
+namespace cobble::renderer {
+
+/// What a picture is expected to take and to come to.
+struct BudgetChoice {
+    std::uint32_t samples = 0;  ///< a pixel, to be shared out among Settings::scrambles
+    double seconds = 0;         ///< its preparation and rendering
+    double rms = 0;             ///< as Achieved has it
+    bool fits = true;           ///< false: even the fewest samples are expected to take longer
+};
+
+/// Renders pictures of 8 samples a pixel and more, until one has taken a twentieth of `seconds`,
+/// which are for them and for the picture chosen. Time is taken to grow in proportion to the
+/// samples, and the error to fall on as it fell from one trial to the next, by a power of the
+/// samples from 0.4 to 1.5. Nothing if interrupted. `settings.scrambles` is at least 2.
+std::optional<BudgetChoice> choose_for_budget(const ir::Scene& scene, const Settings& settings,
+                                              double seconds, Scheduler& scheduler,
+                                              const Interrupted& interrupted);
+
+}  // namespace cobble::renderer

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "renderer/cost/parts.hpp"
+
+namespace cobble::renderer {
+namespace {
+
+struct Choice {
+    std::uint32_t samples, light_samples, bounces;
+    Precision precision;
+    double expected_seconds;
+};
+
+/// By the time that they are expected to take. Doubling light samples costs less than doubling
+/// samples, but how much less is what is to be found out: it is taken to cost as much.
+std::vector<Choice> choices_of(const Studio& studio, const CurveStudy& curve) {
+    const Settings& base = studio.settings();
+    const bool soft = base.effects.on(ir::Effect::kSoftShadows);
+    const bool goes_on =
+        base.effects.on(ir::Effect::kReflection) || base.effects.on(ir::Effect::kRefraction);
+    std::vector<Choice> choices;
+    const auto add = [&](std::uint32_t samples, std::uint32_t light_samples, std::uint32_t bounces,
+                         Precision precision) {
+        const double seconds =
+            curve.prepare_seconds + curve.sample_seconds * samples * (1 + light_samples) / 2.0;
+        choices.push_back({samples, light_samples, bounces, precision, seconds});
+    };
+    for (std::uint32_t samples = 2; samples <= 1024; samples *= 2) {
+        add(samples, 1, base.bounces, base.precision);
+        if (soft && samples >= 4) add(samples, 4, base.bounces, base.precision);
+        if (goes_on && base.bounces >= 2 && samples >= 8) {
+            add(samples, 1, base.bounces / 2, base.precision);
+        }
+    }
+    if (base.precision == Precision::kFloat) add(16, 1, base.bounces, Precision::kDouble);
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+        return a.expected_seconds < b.expected_seconds;
+    });
+    return choices;
+}
+
+void mark_front(std::vector<Rung>& rungs) {
+    for (Rung& rung : rungs) {
+        rung.on_front = std::none_of(rungs.begin(), rungs.end(), [&](const Rung& other) {
+            return other.seconds <= rung.seconds && other.error <= rung.error &&
+                   (other.seconds < rung.seconds || other.error < rung.error);
+        });
+    }
+}
+
+/// The front's, from the quickest to the most exact.
+void name_front(std::vector<Rung>& rungs) {
+    std::vector<Rung*> front;
+    for (Rung& rung : rungs) {
+        if (rung.on_front) front.push_back(&rung);
+    }
+    std::sort(front.begin(), front.end(),
+              [](const Rung* a, const Rung* b) { return a->seconds < b->seconds; });
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        Rung& rung = *front[i];
+        rung.name = std::to_string(rung.samples) + " spp";
+        if (rung.light_samples > 1)
+            rung.name += " x " + std::to_string(rung.light_samples) + " light";
+        if (i == 0) rung.name += " (preview)";
+        if (i + 1 == front.size() && i > 0) rung.name += " (final)";
+    }
+}
+
+Plane32 difference_map(const Plane32& a, const Plane32& b) {
+    Plane32 map;
+    map.width = a.width;
+    map.height = a.height;
+    map.channels = 1;
+    map.values.resize(a.values.size() / 3);
+    for (std::size_t i = 0; i < map.values.size(); ++i) {
+        for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
+            map.values[i] = std::max(map.values[i], std::fabs(a.values[c] - b.values[c]));
+        }
+    }
+    return map;
+}
+
+}  // namespace
+
+std::optional<std::vector<Rung>> study_rungs(const Studio& studio, const CurveStudy& curve,
+                                             double until) {
+    const bool soft = studio.settings().effects.on(ir::Effect::kSoftShadows);
+    std::vector<Rung> rungs;
+    for (const Choice& choice : choices_of(studio, curve)) {
+        if (rungs.size() >= 3 &&
+            studio.seconds() + choice.expected_seconds > until * studio.options().seconds) {
+            continue;
+        }
+        Settings settings = studio.settings(choice.samples);
+        settings.light_samples = choice.light_samples;
+        settings.bounces = choice.bounces;
+        settings.precision = choice.precision;
+        std::optional<Run> run = studio.run(settings);
+        if (!run) return std::nullopt;
+        // Where the best picture's own noise is as large, nothing can be told any more.
+        const Distance off = distance(studio, curve.best.color, run->picture.color);
+        if (off.rmse < 2 * curve.best_rms && rungs.size() >= 3) continue;
+        Rung& rung = rungs.emplace_back();
+        rung.samples = choice.samples;
+        rung.light_samples = soft ? choice.light_samples : 0;
+        rung.bounces = choice.bounces;
+        rung.precision = choice.precision;
+        rung.seconds = run->seconds();
+        rung.error = off.rmse;
+        rung.flip = off.flip;
+        rung.verified = true;
+        if (!studio.options().keep_pictures) continue;
+        rung.error_map = difference_map(run->picture.color, curve.best.color);
+        rung.picture = std::move(run->picture.color);
+    }
+    mark_front(rungs);
+    name_front(rungs);
+    // Pictures of choices that nobody should take are of no use.
+    for (Rung& rung : rungs) {
+        if (rung.on_front) continue;
+        rung.picture = {};
+        rung.error_map = {};
+    }
+    return rungs;
+}
+
+}  // namespace cobble::renderer
