@@ -204,7 +204,7 @@ void add_flip(const Plane32& a, const Plane32& b, const CompareOptions& options,
     result.flip /= static_cast<double>(pixels);
 }
 
-void add_differences(const Plane32& a, const Plane32& b, Comparison& result) {
+void add_differences(const Plane32& a, const Plane32& b, double tolerance, Comparison& result) {
     const std::size_t pixels = std::size_t{a.width} * a.height;
     std::vector<double> largest;
     largest.reserve(pixels);
@@ -224,6 +224,7 @@ void add_differences(const Plane32& a, const Plane32& b, Comparison& result) {
             most = std::max(most, std::fabs(d));
         }
         if (most > 0) ++result.differing;
+        if (most > tolerance) ++result.beyond_tolerance;
         largest.push_back(most);
     }
     if (largest.empty()) return;
@@ -247,7 +248,7 @@ Comparison compare(const Plane32& a, const Plane32& b, const CompareOptions& opt
     result.error = problem_of(a, b, options);
     if (!result.error.empty()) return result;
     result.pixels_per_degree = options.pixels_per_degree;
-    add_differences(a, b, result);
+    add_differences(a, b, options.tolerance, result);
     add_flip(a, b, options, result);
     return result;
 }

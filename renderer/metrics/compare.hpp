@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "renderer/film/picture.hpp"
@@ -17,6 +18,8 @@ struct CompareOptions {
     bool light_a = false;  ///< `a` holds light (linear), not display values; for FLIP only
     bool light_b = false;
     std::uint32_t threads = 1;  ///< workers; 0: one a processor
+    /// From 0; how far values may be apart, which beyond_tolerance counts by.
+    double tolerance = std::numeric_limits<double>::infinity();
 };
 
 /// All figures but FLIP are of the numbers as they are, not clamped. A pixel in which either
@@ -33,8 +36,9 @@ struct Comparison {
     std::uint64_t clamped = 0;     ///< values of both pictures outside [0, 1], clamped for FLIP
     std::uint64_t not_finite = 0;  ///< pixels with a NaN or infinity in either picture
     std::uint64_t differing = 0;   ///< pixels with any difference
-    Plane32 map;                   ///< FLIP of each pixel, in [0, 1], one channel
-    std::string error;             ///< empty if the pictures can be compared
+    std::uint64_t beyond_tolerance = 0;  ///< pixels with a difference above the tolerance
+    Plane32 map;                         ///< FLIP of each pixel, in [0, 1], one channel
+    std::string error;                   ///< empty if the pictures can be compared
 };
 
 /// `a` is the one that `b` is measured against (it matters for rel_mse alone). Pictures of one or

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "renderer/metrics/compare.hpp"
@@ -10,6 +11,7 @@
 #include "tools/cobble/command.hpp"
 #include "tools/driver/outputs.hpp"
 #include "tools/driver/pictures.hpp"
+#include "tools/driver/report/difference_report.hpp"
 
 namespace cobble {
 namespace {
@@ -18,8 +20,9 @@ struct Options {
     std::string a, b;
     std::string map;
     double ppd = renderer::kDefaultPixelsPerDegree;
-    double tolerance = -1;
+    std::optional<double> tolerance;
     bool light = false;
+    bool json = false;
 };
 
 // Before anything is compared: whether the map has a place to go.
@@ -46,29 +49,17 @@ int run(const Options& options, Context& context) {
     how.light_a = options.light && !a.eight_bit;
     how.light_b = options.light && !b.eight_bit;
     how.threads = 0;
+    if (options.tolerance) how.tolerance = *options.tolerance;
     const renderer::Comparison result = renderer::compare(a.plane, b.plane, how);
     if (!result.error.empty()) {
         driver::complain(
             fmt::format("cannot compare {} with {}: {}", options.a, options.b, result.error));
         return kFailure;
     }
-    const std::uint64_t pixels = std::uint64_t{a.plane.width} * a.plane.height;
-    context.out.write(fmt::format(
-        "MSE              {:.9g}\n"
-        "relMSE           {:.9g}\n"
-        "MAE              {:.9g}\n"
-        "maximum          {:.9g}\n"
-        "99th percentile  {:.9g}\n"
-        "FLIP             {:.9g} (maximum {:.9g}; {:g} pixels per degree)\n"
-        "differing        {} of {} pixels\n",
-        result.mse, result.rel_mse, result.mae, result.maximum, result.percentile_99, result.flip,
-        result.flip_maximum, result.pixels_per_degree, result.differing, pixels));
-    if (result.clamped > 0) {
-        context.out.write(fmt::format("clamped for FLIP {} values\n", result.clamped));
-    }
-    if (result.not_finite > 0) {
-        context.out.write(fmt::format("not finite       {} pixels, left out\n", result.not_finite));
-    }
+    const driver::DifferenceReport report{result,        options.a,      options.b,
+                                          a.plane.width, a.plane.height, options.tolerance};
+    context.out.write(options.json ? driver::difference_to_json(report)
+                                   : driver::difference_to_text(report));
     if (!options.map.empty()) {
         const std::string problem =
             driver::write_picture(options.map, renderer::heat_map(result.map), {});
@@ -77,9 +68,7 @@ int run(const Options& options, Context& context) {
             return kFailure;
         }
     }
-    if (options.tolerance < 0) return kDone;
-    // A pixel that is no number is no match.
-    return result.maximum > options.tolerance || result.not_finite > 0 ? kFindings : kDone;
+    return options.tolerance && !report.within_tolerance() ? kFindings : kDone;
 }
 
 }  // namespace
@@ -103,6 +92,17 @@ void add_diff(CLI::App& app, Context& context) {
         ->type_name("MAP");
     sub->add_flag("--light", options->light,
                   "Pictures of floating-point numbers hold light, not display values (for FLIP)");
+    sub->add_flag("--json", options->json, "Print JSON");
+    sub->footer(
+        "MSE, relMSE (relative to A), MAE, maximum and 99th percentile are of the numbers as they "
+        "are, 1\nbeing white. FLIP is what an eye sees that flips between the two: 0 nothing, 1 as "
+        "much as can be.\n"
+        "Exit status 1 if --tolerance is given and exceeded, or a pixel is not finite; without it "
+        "0, "
+        "however\nmuch they differ; 2 if they cannot be compared.\n"
+        "\n"
+        "Are two pictures the same but for rounding to 8 bits, and if not, where?\n"
+        "  cobble diff old.png new.png --tolerance 0.004 -o where.png");
     sub->callback([options, &context] {
         context.run = [options, &context] { return run(*options, context); };
     });
