@@ -4,12 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
-#include "ir/hash.hpp"
-#include "ir/output/sha256.hpp"
 #include "renderer/tile/tiles.hpp"
 #include "tools/driver/numbers.hpp"
 #include "tools/driver/pictures.hpp"
@@ -18,15 +15,6 @@ namespace cobble::driver {
 namespace {
 
 constexpr std::string_view kPrefix = "cobble shard ";
-// 64 bits of a hash tell scenes apart; the whole of it would not fit beside the rest.
-constexpr std::size_t kHashDigits = 16;
-
-std::string hash_of(const std::string& text) {
-    ir::Sha256 hash;
-    hash.add(text.data(), text.size());
-    return ir::to_hex(hash.finish()).substr(0, kHashDigits);
-}
-
 renderer::Settings settings_of(const ShardNote& note) {
     renderer::Settings settings;
     settings.width = note.width;
@@ -46,38 +34,16 @@ std::string size_of(std::uint32_t width, std::uint32_t height) {
     return fmt::format("{}x{}", width, height);
 }
 
-std::string text_of(const renderer::Crop& crop) {
-    return fmt::format("{},{},{},{}", crop.x0, crop.y0, crop.x1, crop.y1);
-}
-
-// What two shards must share: its name, and how each says it. Hashes tell people nothing: for them
-// the name is the whole sentence.
-struct Property {
-    std::string_view name;
-    std::string first, second;
-    bool hash = false;
-};
-
 // Why `second` is no shard of the render that `first` is one of, or "".
 std::string difference(const ShardNote& first, const ShardNote& second) {
-    const std::array<Property, 10> properties{{
+    std::vector<Property> properties{
         {"number of shards", std::to_string(first.count), std::to_string(second.count)},
-        {"size", size_of(first.width, first.height), size_of(second.width, second.height)},
-        {"crop", text_of(first.window), text_of(second.window)},
         {"kind of picture", first.picture, second.picture},
-        {"it shows another scene", first.scene, second.scene, true},
-        {"number of samples", std::to_string(first.samples), std::to_string(second.samples)},
-        {"seed", std::to_string(first.seed), std::to_string(second.seed)},
-        {"tile size", std::to_string(first.tile_size), std::to_string(second.tile_size)},
-        {"version of cobble", first.version, second.version},
-        {"it has other options", first.settings, second.settings, true},
-    }};
-    for (const Property& property : properties) {
-        if (property.first == property.second) continue;
-        if (property.hash) return std::string(property.name);
-        return fmt::format("its {} is {}, not {}", property.name, property.second, property.first);
+        {"tile size", std::to_string(first.tile_size), std::to_string(second.tile_size)}};
+    for (Property& property : properties_of(first, second)) {
+        properties.push_back(std::move(property));
     }
-    return {};
+    return first_difference(properties);
 }
 
 // Why a file cannot be a part of any whole, or "".
@@ -144,70 +110,34 @@ void copy_tiles(const ShardNote& note, const renderer::Plane32& from, renderer::
 ShardNote shard_note(const ir::Scene& scene, const renderer::Settings& settings,
                      std::string_view picture, std::string_view more, bool complete) {
     ShardNote note;
+    static_cast<RenderIdentity&>(note) = identify(scene, settings, more);
     note.index = settings.shard_index + 1;
     note.count = settings.shard_count;
-    note.width = settings.width;
-    note.height = settings.height;
-    note.window = renderer::window_of(settings);
     note.tile_size = settings.tile_size;
     note.picture = picture;
-    note.scene = ir::hash(scene).substr(0, kHashDigits);
-    note.samples = settings.samples;
-    note.seed = settings.seed;
-    note.version = COBBLE_VERSION;
     note.complete = complete;
-
-    // The crop, samples and seed are part of it too: to differ in those is told by its own name.
-    note.settings = hash_of(fmt::format("{}{} {}", renderer::fingerprint(settings),
-                                        static_cast<int>(scene.compat), more));
     return note;
 }
 
 std::string to_text(const ShardNote& note) {
-    return fmt::format(
-        "{}{}/{} of {} at {} tiles {} picture {} scene {} samples {} seed {} settings {} "
-        "version {} complete {}",
-        kPrefix, note.index, note.count, size_of(note.width, note.height), text_of(note.window),
-        note.tile_size, note.picture, note.scene, note.samples, note.seed, note.settings,
-        note.version, note.complete ? "yes" : "no");
+    return fmt::format("{}{}/{} tiles {} picture {}{} complete {}", kPrefix, note.index, note.count,
+                       note.tile_size, note.picture, words_of(note), note.complete ? "yes" : "no");
 }
 
 std::optional<ShardNote> parse_shard_note(std::string_view text) {
     if (!text.starts_with(kPrefix)) return std::nullopt;
     text.remove_prefix(kPrefix.size());
-    std::vector<std::string_view> words;
-    for (;;) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        words.push_back(text.substr(0, end));
-        if (end == text.size()) break;
-        text.remove_prefix(end + 1);
-    }
-    // The part, then names and values in turn; others may come with later versions.
-    std::map<std::string_view, std::string_view> values;
-    for (std::size_t i = 1; i + 1 < words.size(); i += 2) values[words[i]] = words[i + 1];
-
-    ShardNote note;
+    const std::size_t end = std::min(text.find(' '), text.size());
     std::vector<std::uint32_t> part;
-    std::vector<std::uint32_t> size;
-    std::vector<std::uint32_t> window;
-    const bool read =
-        parse_numbers(words[0], '/', 2, part) && parse_numbers(values["of"], 'x', 2, size) &&
-        parse_numbers(values["at"], ',', 4, window) &&
-        parse_number(values["tiles"], note.tile_size) &&
-        parse_number(values["samples"], note.samples) && parse_number(values["seed"], note.seed);
-    if (!read || part[0] < 1 || part[0] > part[1] || window[0] >= window[2] ||
-        window[1] >= window[3] || window[2] > size[0] || window[3] > size[1]) {
+    WordValues values = parse_words(text.substr(std::min(end + 1, text.size())));
+    ShardNote note;
+    if (!parse_numbers(text.substr(0, end), '/', 2, part) || part[0] < 1 || part[0] > part[1] ||
+        !read_identity(values, note) || !parse_number(values["tiles"], note.tile_size)) {
         return std::nullopt;
     }
     note.index = part[0];
     note.count = part[1];
-    note.width = size[0];
-    note.height = size[1];
-    note.window = {window[0], window[1], window[2], window[3]};
     note.picture = values["picture"];
-    note.scene = values["scene"];
-    note.settings = values["settings"];
-    note.version = values["version"];
     note.complete = values["complete"] == "yes";
     return note;
 }

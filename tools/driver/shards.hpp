@@ -13,21 +13,15 @@
 #include "ir/scene/scene.hpp"
 #include "renderer/film/picture.hpp"
 #include "renderer/settings.hpp"
+#include "tools/driver/render_identity.hpp"
 
 namespace cobble::driver {
 
 /// What a shard's picture file says of itself, as its comment.
-struct ShardNote {
+struct ShardNote : RenderIdentity {
     std::uint32_t index = 1, count = 1;  ///< part I of N, from 1
-    std::uint32_t width = 0, height = 0;
-    renderer::Crop window;  ///< the pixels of it that the file holds
     std::uint32_t tile_size = 0;
     std::string picture;  ///< which of a render's pictures: color, depth, ...
-    std::string scene;    ///< hash of all that the scene means
-    std::uint32_t samples = 0;
-    std::uint64_t seed = 0;
-    std::string settings;  ///< hash of all other settings that pixels depend on
-    std::string version;   ///< of the program
     bool complete = false;
 };
 
