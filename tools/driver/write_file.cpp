@@ -49,7 +49,23 @@ int descriptor_of(const std::string& path) {
     return -1;
 }
 
-// A new file beside its later place, removed again unless it is kept.
+// Gives a file that has no name one that is not taken; 0, or the errno that spoke against it.
+int name_file(int descriptor, const std::string& pattern, std::string& name) {
+    const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor);
+    constexpr int kMostTries = 1000;
+    int error = EEXIST;
+    for (int i = 0; error == EEXIST && i < kMostTries; ++i) {
+        name = pattern + std::to_string(getpid()) + "-" + std::to_string(i);
+        const bool named =
+            linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+        error = named ? 0 : errno;
+    }
+    if (error != 0) name.clear();
+    return error;
+}
+
+// A new file beside its later place, removed again unless it is kept. Where the file system can, it
+// has no name until then, so that not even a killed process leaves it behind.
 class Temporary {
   public:
     explicit Temporary(const std::string& beside) {
@@ -58,7 +74,13 @@ class Temporary {
         // 200 bytes of the name leave room for the rest within the 255 that file systems allow.
         const std::string base =
             beside.substr(slash == std::string::npos ? 0 : slash + 1).substr(0, 200);
-        path_ = folder + "." + base + ".XXXXXX";
+        pattern_ = folder + "." + base + ".";
+        if (access("/proc/self/fd", X_OK) == 0) {
+            descriptor_ = open(folder.empty() ? "." : folder.c_str(),
+                               O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+        }
+        if (descriptor_ >= 0) return;
+        path_ = pattern_ + "XXXXXX";
         descriptor_ = mkstemp(path_.data());
         error_ = descriptor_ < 0 ? errno : 0;
     }
@@ -74,13 +96,17 @@ class Temporary {
     [[nodiscard]] int error() const { return error_; }
 
     int rename_to(const std::string& target) {
+        if (path_.empty()) {
+            if (const int error = name_file(descriptor_, pattern_, path_)) return error;
+        }
         if (rename(path_.c_str(), target.c_str()) != 0) return errno;
         path_.clear();
         return 0;
     }
 
   private:
-    std::string path_;
+    std::string pattern_;
+    std::string path_;  ///< empty while it has no name
     int descriptor_ = -1;
     int error_ = 0;
 };
@@ -164,7 +190,10 @@ std::string write_file(const std::string& path, std::string_view bytes) {
     return error == 0 ? std::string() : failure(path, error);
 }
 
-std::string check_writable(const std::string& path, std::uint64_t bytes) {
+namespace {
+
+// check_writable() of so many bytes, of none without asking for room.
+std::string check(const std::string& path, std::uint64_t bytes) {
     const std::string target = follow_links(path);
     if (const int descriptor = descriptor_of(target); descriptor >= 0) {
         return fcntl(descriptor, F_GETFD) >= 0 ? std::string() : failure(path, errno);
@@ -178,12 +207,21 @@ std::string check_writable(const std::string& path, std::uint64_t bytes) {
     }
     const Temporary temporary(target);
     if (temporary.error() != 0) return failure(path, temporary.error());
-    // One block at least: a full disk takes the name of a file but none of its bytes.
-    const auto size = static_cast<off_t>(std::clamp<std::uint64_t>(bytes, 4096, 1ULL << 40U));
+    if (bytes == 0) return {};
+    const auto size = static_cast<off_t>(std::min<std::uint64_t>(bytes, 1ULL << 40U));
     if (fallocate(temporary.descriptor(), 0, 0, size) != 0 && (errno == ENOSPC || errno == EFBIG)) {
         return failure(path, errno);
     }
     return {};
 }
+
+}  // namespace
+
+std::string check_writable(const std::string& path, std::uint64_t bytes) {
+    // One block at least: a full disk takes the name of a file but none of its bytes.
+    return check(path, std::max<std::uint64_t>(bytes, 4096));
+}
+
+std::string check_place(const std::string& path) { return check(path, 0); }
 
 }  // namespace cobble::driver
