@@ -141,6 +141,7 @@ class CompatRenderer : public TileRenderer {
     void report(const PausedTile& state, TileWork& work, std::uint32_t x, std::uint32_t y) const {
         const Tile& tile = work.tile;
         if (x < tile.x0 || x >= tile.x1 || y < tile.y0 || y >= tile.y1) return;
+        if (work.pass.active != nullptr && !work.pass.active->has(x, y)) return;
         BadSample bad{x, y, state.lens_ray, {}};
         const ir::ObjectId object = state.trace.first_object();
         if (object.valid()) bad.span = scene_.scene->objects[object.value].span;

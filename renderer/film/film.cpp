@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace cobble::renderer {
 namespace {
@@ -35,6 +36,17 @@ Film::Film(const Settings& settings) : window_(window_of(settings)) {
     if (settings.want_normals) picture_.normals = make_plane(window_, 3, 0.0F);
     if (settings.want_albedo) picture_.albedo = make_plane(window_, 3, 0.0F);
     if (settings.want_sample_count) picture_.sample_count = make_plane(window_, 1, 0.0F);
+    begin_pass(0);
+}
+
+void Film::begin_pass(std::uint32_t scramble) {
+    scramble_ = scramble;
+    done_.assign(std::size_t{picture_.color.width} * picture_.color.height, 0);
+}
+
+void Film::restore(Picture picture, std::vector<std::uint8_t> done) {
+    if (!sums_) picture_ = std::move(picture);
+    done_ = std::move(done);
 }
 
 void Film::begin_sums(std::uint32_t scrambles, bool squares) {
@@ -61,12 +73,14 @@ void Film::show(std::size_t index, const Pixel& pixel, Picture& picture) const {
 
 void Film::set_pixel(std::uint32_t x, std::uint32_t y, const Pixel& pixel) {
     const std::size_t index = index_of(x, y);
+    done_[index] = 1;
     if (sums_) return sums_->add(index, scramble_, pixel);
     show(index, pixel, picture_);
 }
 
 void Film::set_color(std::uint32_t x, std::uint32_t y, math::Vec3d color, std::uint32_t samples) {
     const std::size_t index = index_of(x, y);
+    done_[index] = 1;
     if (sums_) return sums_->add_color(index, scramble_, color, samples);
     set3(picture_.color, index, color);
     if (picture_.sample_count.values.empty()) return;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "renderer/film/accumulator.hpp"
 #include "renderer/film/picture.hpp"
@@ -30,13 +31,19 @@ class Film {
     /// scramble, of which there are so many. What was seen before is forgotten.
     /// With `squares` each pass takes one sample of a pixel, which is clamped to [0, 1].
     void begin_sums(std::uint32_t scrambles, bool squares = false);
-    /// What comes is of this scramble.
-    void begin_pass(std::uint32_t scramble) { scramble_ = scramble; }
+    /// What comes is of this scramble; no pixel of the pass is done yet.
+    void begin_pass(std::uint32_t scramble);
     /// Of the window, rows from the top; null without begin_sums().
     [[nodiscard]] const ScrambleSums* sums() const { return sums_ ? &*sums_ : nullptr; }
     [[nodiscard]] ScrambleSums* sums() { return sums_ ? &*sums_ : nullptr; }
 
     [[nodiscard]] Picture picture() const;
+
+    /// A number for each pixel of the window, row by row, that is 0 until the pass has set it.
+    [[nodiscard]] const std::vector<std::uint8_t>& done() const { return done_; }
+    /// Puts back what they were of a film of the same settings: its picture, if it keeps no sums
+    /// (those put themselves back), and what is done of the pass.
+    void restore(Picture picture, std::vector<std::uint8_t> done);
 
   private:
     void show(std::size_t index, const Pixel& pixel, Picture& picture) const;
@@ -48,6 +55,7 @@ class Film {
     Picture picture_;
     std::optional<ScrambleSums> sums_;
     std::uint32_t scramble_ = 0;
+    std::vector<std::uint8_t> done_;  ///< not bits, which threads would have to share
 };
 
 }  // namespace cobble::renderer

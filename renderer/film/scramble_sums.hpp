@@ -24,6 +24,7 @@ class ScrambleSums {
     ScrambleSums(std::size_t pixels, std::uint32_t scrambles, Wanted wanted);
 
     [[nodiscard]] std::uint32_t scrambles() const { return scrambles_; }
+    [[nodiscard]] bool has_squares() const { return !squares_.empty(); }
     [[nodiscard]] std::size_t pixels() const { return samples_.size() / scrambles_; }
 
     /// What a pass of scramble `scramble` saw of a pixel. Different pixels from different threads

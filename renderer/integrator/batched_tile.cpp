@@ -323,7 +323,7 @@ void BatchedTile<T>::land(TileWork& work, Film& film) {
         if (!next_to_land_.advance()) continue;
         film.set_pixel(at.x, at.y, sums_.pixel());
         sums_ = {};
-        ++work.pixels_done;
+        work.end_pixels();
     }
 }
 

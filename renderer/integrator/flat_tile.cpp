@@ -63,7 +63,7 @@ void FlatTile<T>::land_together(TileWork& work, Film& film) {
         const PixelPlace at = camera_.place(i * samples_);
         film.set_color(at.x, at.y, color.value() / static_cast<double>(samples_), samples_);
     }
-    work.pixels_done += pixels;
+    work.end_pixels(pixels);
 }
 
 template <typename T>
@@ -77,7 +77,7 @@ void FlatTile<T>::land_one_by_one(TileWork& work, Film& film) {
         if (camera_.sample(lane) + 1 < work.pass.first + samples_) continue;
         film.set_pixel(at.x, at.y, sums_.pixel());
         sums_ = {};
-        ++work.pixels_done;
+        work.end_pixels();
     }
 }
 

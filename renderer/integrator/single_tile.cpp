@@ -34,7 +34,7 @@ bool SingleTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
         if (!next_.advance()) continue;
         film.set_pixel(at.x, at.y, sums_.pixel());
         sums_ = {};
-        ++work.pixels_done;
+        work.end_pixels();
     }
     return true;
 }

@@ -13,7 +13,10 @@
 #include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/job/build_on.hpp"
 #include "renderer/job/fp_environment.hpp"
+#include "renderer/job/job_state.hpp"
+#include "renderer/job/totals.hpp"
 #include "renderer/passes/pass_plan.hpp"
+#include "renderer/tile/pixel_mask.hpp"
 #include "renderer/tile/tile_renderer.hpp"
 #include "renderer/tile/tiles.hpp"
 
@@ -25,39 +28,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-/// Sums over finished tiles; one a worker, so that nothing is shared while rays are traced.
-struct alignas(64) Totals {
-    Counters counters;
-    std::uint64_t samples = 0;
-    std::uint64_t bad_sample_count = 0;
-    std::vector<BadSample> bad_samples;
-
-    void add(const TileWork& work) {
-        counters += work.counters;
-        samples += work.samples_done;
-        bad_sample_count += work.bad_sample_count;
-        bad_samples.insert(bad_samples.end(), work.bad_samples.begin(), work.bad_samples.end());
-        keep_first();
-    }
-    void add(const Totals& other) {
-        counters += other.counters;
-        samples += other.samples;
-        bad_sample_count += other.bad_sample_count;
-        bad_samples.insert(bad_samples.end(), other.bad_samples.begin(), other.bad_samples.end());
-        keep_first();
-    }
-
-  private:
-    /// Which ones are kept does not depend on the order of tiles: the first of the picture are
-    /// among the first of their tile.
-    void keep_first() {
-        std::sort(bad_samples.begin(), bad_samples.end());
-        if (bad_samples.size() > TileWork::kBadSamplesKept) {
-            bad_samples.resize(TileWork::kBadSamplesKept);
-        }
-    }
-};
 
 template <typename T>
 std::unique_ptr<TileRenderer> prepare_renderer(const ir::Scene& scene, const Settings& settings,
@@ -95,9 +65,29 @@ class Job final : public RenderJob {
           tiles_(make_tiles(settings)),
           plan_(make_plan(as_traced(scene, settings), tiles_)),
           in_hand_(scheduler.workers()),
-          totals_(scheduler.workers()) {
+          totals_(scheduler.workers()),
+          left_(film_.window(), false) {
         costs_.tile_seconds.assign(tiles_.size(), 0);
         begin_pass();
+    }
+
+    /// Before the first step. Gives "" or what is wrong with the state.
+    std::string restore(std::string_view bytes) {
+        JobState state;
+        state.planes = film_.picture();
+        std::string problem = decode_state(bytes, *scene_, state);
+        if (!problem.empty()) return problem;
+        if (!tiles_.empty() && !go_on_with(state)) {
+            return "its state is of another way to take samples";
+        }
+        before_.counters = state.tally.counters;
+        before_.samples = state.tally.samples;
+        before_.bad_sample_count = state.tally.bad_sample_count;
+        before_.bad_samples = std::move(state.tally.bad_samples);
+        seconds_ = state.tally.seconds;
+        render_seconds_before_ = state.tally.render_seconds;
+        render_processor_seconds_ = state.tally.render_processor_seconds;
+        return {};
     }
 
     Progress step(Deadline deadline) override {
@@ -134,7 +124,7 @@ class Job final : public RenderJob {
         stats.bad_samples = sum.bad_samples;
         // Until it has ended, the preparation's figures are still being written.
         stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0, 0},
-                        {"render", costs_.wall_seconds, render_processor_seconds_}};
+                        {"render", render_seconds(), render_processor_seconds_}};
         stats.scene_bytes = prepared_ ? bytes_ : 0;
         if (prepared_) stats.notes = renderer_->notes();
         stats.achieved = plan_->achieved();
@@ -142,8 +132,83 @@ class Job final : public RenderJob {
     }
 
     [[nodiscard]] const ScrambleSums* sums() const override { return film_.sums(); }
+    [[nodiscard]] std::string state() const override {
+        JobState state;
+        state.planes = film_.picture();
+        state.done = film_.done();
+        state.plan = complete_ ? last_plan_ : plan_->bytes();
+        if (const ScrambleSums* sums = film_.sums()) {
+            state.sums = {sums->scrambles(), sums->has_squares(), sums->bytes()};
+        }
+        Totals sum = finished();
+        for (const auto& work : in_hand_) {
+            if (work != nullptr) add_done_of(*work, sum, state.done);
+        }
+        state.tally = {sum.counters, sum.samples,      sum.bad_sample_count,     sum.bad_samples,
+                       seconds_,     render_seconds(), render_processor_seconds_};
+        return encode_state(state, *scene_);
+    }
 
   private:
+    [[nodiscard]] double render_seconds() const {
+        return render_seconds_before_ + costs_.wall_seconds;
+    }
+
+    /// What a tile on its way adds to a state: its finished pixels, and all rays.
+    void add_done_of(const TileWork& work, Totals& sum, std::vector<std::uint8_t>& done) const {
+        sum.counters += work.counters;
+        // A published program's samples are taken ahead of their pixels: whose the bad ones are is
+        // not known. Such a tile begins anew.
+        if (work.bad_sample_count > 0 && scene_->compat != ir::Compat::kNone) {
+            each_pixel(work.tile, [&](std::size_t i) {
+                if (work.pass.active == nullptr || work.pass.active->bytes()[i] != 0) done[i] = 0;
+            });
+            return;
+        }
+        sum.samples += work.pixels_done * work.pass.count;
+        sum.bad_sample_count += work.bad_of_done;
+        // Those of the pixel on its way come again, and whatever they have pushed out stays out.
+        for (const BadSample& bad : work.bad_samples) {
+            if (done[left_.index_of(bad.x, bad.y)] != 0) sum.add(bad);
+        }
+    }
+
+    template <typename Visit>
+    void each_pixel(const Tile& tile, const Visit& visit) const {
+        for (std::uint32_t y = tile.y0; y < tile.y1; ++y) {
+            for (std::uint32_t x = tile.x0; x < tile.x1; ++x) visit(left_.index_of(x, y));
+        }
+    }
+
+    /// Begins the state's pass with the pixels of it that are left. False if it is none of the
+    /// plan's.
+    bool go_on_with(JobState& state) {
+        if (!plan_->restore(state.plan)) return false;
+        if (state.sums.has_value() != (film_.sums() != nullptr)) return false;
+        if (state.sums) {
+            // No more memory than there are bytes.
+            constexpr std::size_t kBytesOfScramble = sizeof(math::Vec3d) + sizeof(std::uint32_t);
+            const std::size_t most = state.sums->bytes.size() / state.done.size();
+            if (state.sums->scrambles == 0 || state.sums->scrambles > most / kBytesOfScramble) {
+                return false;
+            }
+            film_.begin_sums(state.sums->scrambles, state.sums->squares);
+            if (!film_.sums()->restore(state.sums->bytes)) return false;
+        }
+        begin_pass();
+        if (complete_) return false;
+        for (const Tile& tile : tiles_) {
+            each_pixel(tile, [&](std::size_t i) {
+                const bool asked = pass_.active == nullptr || pass_.active->bytes()[i] != 0;
+                left_.bytes()[i] = asked && state.done[i] == 0 ? 1 : 0;
+            });
+        }
+        film_.restore(std::move(state.planes), std::move(state.done));
+        pass_.active = &left_;
+        if (left_.count() == 0) begin_pass();
+        return true;
+    }
+
     [[nodiscard]] bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
     void cancel_now() { cancelled_.store(true, std::memory_order_relaxed); }
@@ -196,6 +261,8 @@ class Job final : public RenderJob {
     /// The next one; if there is none the picture is complete.
     void begin_pass() {
         const FpEnvironment environment;
+        if (begun_) last_plan_ = plan_->bytes();
+        begun_ = true;
         const std::optional<Pass> pass = tiles_.empty() ? std::nullopt : plan_->next(film_, costs_);
         complete_ = !pass.has_value();
         if (complete_) return;
@@ -240,9 +307,15 @@ class Job final : public RenderJob {
         } while (!stop.now());
     }
 
-    [[nodiscard]] Totals total() const {
-        Totals sum;
+    /// Of tiles that are done.
+    [[nodiscard]] Totals finished() const {
+        Totals sum = before_;
         for (const Totals& worker : totals_) sum.add(worker);
+        return sum;
+    }
+
+    [[nodiscard]] Totals total() const {
+        Totals sum = finished();
         for (const auto& tile : in_hand_) {
             if (tile != nullptr) sum.add(*tile);
         }
@@ -281,6 +354,12 @@ class Job final : public RenderJob {
     double prepare_seconds_ = 0;
     double render_processor_seconds_ = 0;
     double seconds_ = 0;
+    // Of a job that goes on with what another has done.
+    Totals before_;
+    double render_seconds_before_ = 0;
+    PixelMask left_;                       ///< of its first pass
+    std::vector<std::uint8_t> last_plan_;  ///< the plan's bytes at the pass before this one
+    bool begun_ = false;
     bool complete_ = false;
     bool prepared_ = false;
     std::unique_ptr<Background> preparation_;  ///< last: its end is waited for before all else goes
@@ -291,6 +370,14 @@ class Job final : public RenderJob {
 std::unique_ptr<RenderJob> start_render(const ir::Scene& scene, const Settings& settings,
                                         Scheduler& scheduler) {
     return std::make_unique<Job>(scene, settings, scheduler);
+}
+
+Resumed resume_render(const ir::Scene& scene, const Settings& settings, Scheduler& scheduler,
+                      std::string_view state) {
+    auto job = std::make_unique<Job>(scene, settings, scheduler);
+    std::string problem = job->restore(state);
+    if (!problem.empty()) job.reset();
+    return {std::move(job), std::move(problem)};
 }
 
 }  // namespace cobble::renderer

@@ -50,11 +50,17 @@ struct TileWork {
     std::uint64_t samples_done = 0;
     Counters counters;
     std::uint64_t bad_sample_count = 0;
+    std::uint64_t bad_of_done = 0;  ///< those of pixels that are done, by end_pixels()
     std::vector<BadSample> bad_samples;  ///< the first kBadSamplesKept of the tile, in their order
 
     static constexpr std::size_t kBadSamplesKept = 16;
 
     [[nodiscard]] bool done() const { return pixels_done == pixels; }
+    /// So many are done, and all samples reported so far are theirs or of pixels before them.
+    void end_pixels(std::uint64_t count = 1) {
+        pixels_done += count;
+        bad_of_done = bad_sample_count;
+    }
     void report(const BadSample& bad) {
         ++bad_sample_count;
         bad_samples.insert(std::upper_bound(bad_samples.begin(), bad_samples.end(), bad), bad);
