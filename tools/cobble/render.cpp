@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@
 #include "renderer/job/render_job.hpp"
 #include "tools/cobble/accuracy_options.hpp"
 #include "tools/cobble/arguments.hpp"
+#include "tools/cobble/checkpointing.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
 #include "tools/cobble/progress.hpp"
@@ -47,6 +50,7 @@ struct Options {
     std::string stats;
     std::string filter = "box";
     std::optional<Shard> shard;
+    CheckpointOptions checkpoint;
     std::uint32_t threads = 0;
     bool reference = false;
     bool quiet = false;
@@ -55,7 +59,9 @@ struct Options {
 class Render {
   public:
     explicit Render(const Options& options)
-        : options_(options), targets_(driver::targets_of(options.pictures)) {}
+        : options_(options),
+          targets_(driver::targets_of(options.pictures)),
+          checkpointing_(options.checkpoint) {}
 
     int run() {
         if (targets_.empty()) {
@@ -85,6 +91,7 @@ class Render {
         std::vector<std::string> paths;
         for (const driver::RenderTarget& target : targets_) paths.push_back(target.path);
         if (!options_.stats.empty()) paths.push_back(options_.stats);
+        if (!options_.checkpoint.path.empty()) paths.push_back(options_.checkpoint.path);
         return paths;
     }
 
@@ -105,6 +112,14 @@ class Render {
         if (options_.stats == "-") {
             return "'--stats' wants a file, and does not write to standard output (./- is a file "
                    "of that name)";
+        }
+        if (options_.checkpoint.path.empty()) {
+            for (const char* option : {"--resume", "--checkpoint-interval"}) {
+                if (std::find(view.given.begin(), view.given.end(), option) == view.given.end()) {
+                    continue;
+                }
+                return fmt::format("'{}' means nothing without '--checkpoint FILE'", option);
+            }
         }
         if (crop && (crop->x0 >= view.size.width || crop->y0 >= view.size.height)) {
             return "'--crop' lies outside the picture of " + to_text(view.size);
@@ -137,7 +152,11 @@ class Render {
         if (std::string problem = driver::check_memory(targets_.size(), window); !problem.empty()) {
             return problem;
         }
-        return options_.stats.empty() ? "" : driver::check_writable(options_.stats, 0);
+        if (!options_.stats.empty()) {
+            std::string problem = driver::check_writable(options_.stats, 0);
+            if (!problem.empty()) return problem;
+        }
+        return checkpointing_.check();
     }
 
     void complete_settings() {
@@ -169,8 +188,17 @@ class Render {
         const auto scheduler = renderer::make_thread_scheduler(options_.threads);
         if (options_.accuracy.budget > 0 && !choose_samples(*scheduler)) return leave_as_it_was();
         if (settings_of_goal() != nullptr) announce(*settings_of_goal());
-        const auto job =
-            renderer::start_render(view_.loaded.lowered.scene, view_.settings, *scheduler);
+        const auto started =
+            checkpointing_.start(view_.loaded.lowered.scene, view_.settings, *scheduler);
+        const std::unique_ptr<renderer::RenderJob>& job = started.job;
+        if (job == nullptr) {
+            driver::complain(started.problem);
+            return kFailure;
+        }
+        if (started.anew && !options_.quiet) {
+            driver::complain(checkpointing_.path() +
+                             " is not there: the render starts from its beginning");
+        }
         const InterruptGuard guard(job.get());
         renderer::Progress progress;
         while (!progress.done) {
@@ -181,20 +209,42 @@ class Render {
                 say(driver::forecast_text(*progress.forecast, view_.settings.goal->error));
             }
             bar.show(progress.fraction, progress.rays, progress.seconds);
+            if (!progress.done) checkpointing_.look_in(*job);
         }
         bar.clear();
-        const renderer::Picture picture = job->picture();
-        if (!picture.complete && progress.fraction < kWorthKeeping) return leave_as_it_was();
-        const int status = write(picture, job->stats(), progress);
-        if (status != kDone) return status;
+        return finish(*job, progress);
+    }
+
+    int finish(const renderer::RenderJob& job, const renderer::Progress& progress) {
+        const renderer::Picture picture = job.picture();
+        if (!picture.complete) {
+            if (progress.fraction > 0 && checkpointing_.save(job)) {
+                driver::complain(
+                    fmt::format("interrupted at {:.0f} %: the checkpoint is in {}, and '--resume' "
+                                "goes on from it",
+                                std::floor(progress.fraction * 100), checkpointing_.path()));
+                return kInterrupted;
+            }
+            if (progress.fraction < kWorthKeeping) return leave_as_it_was();
+        }
+        const int status = write(picture, job.stats(), progress);
+        if (status != kDone) {
+            if (picture.complete && checkpointing_.save(job)) {
+                driver::complain(fmt::format("the render is done: '--resume' writes it from {}",
+                                             checkpointing_.path()));
+            }
+            return status;
+        }
         if (!picture.complete) {
             driver::complain(
                 fmt::format("interrupted at {:.0f} %: the picture as far as it came is in {}",
                             std::floor(progress.fraction * 100), targets_.front().path));
             return kInterrupted;
         }
-        if (!options_.quiet)
-            say_what_was_done(progress, job->stats(), picture.*targets_.front().plane);
+        checkpointing_.remove();
+        if (!options_.quiet) {
+            say_what_was_done(progress, job.stats(), picture.*targets_.front().plane);
+        }
         // With --keep-going there is a picture, and still something to mend.
         return driver::has_errors(view_.loaded.diagnostics) ? kFindings : kDone;
     }
@@ -302,6 +352,7 @@ class Render {
 
     const Options& options_;
     std::vector<driver::RenderTarget> targets_;
+    Checkpointing checkpointing_;
     View view_;
     bool said_forecast_ = false;
 };
@@ -346,6 +397,7 @@ void add_render(CLI::App& app, Context& context) {
                   "One ray at a time on a plain tree: slow, and the same picture");
     add_parsed(*sub, "--shard", "I/N", "I/N with 1 <= I <= N, such as 1/4", parse_shard,
                options->shard, "Render part I of N, from 1; `cobble merge` joins the parts");
+    add_checkpoint_options(*sub, options->checkpoint);
     sub->add_option("--stats", options->stats,
                     "Write times, rays by kind and memory to this file as JSON")
         ->type_name("FILE");
