@@ -116,8 +116,8 @@ CostReport whole_study() {
     CostReport report = head();
     report.study_seconds = 58.21;
     report.recommendation =
-        "64 samples a pixel reach an error of 0.00701 in 1.14 s; four times the time would halve "
-        "it to 0.00281, and depth-of-field makes most of the noise that is left.";
+        "64 samples a pixel reach an error of 0.00701 in 1.14 s; four times the time would "
+        "leave 0.00281, and depth-of-field makes most of the noise that is left.";
     add_curve(report);
     add_bills(report);
     add_rungs(report);

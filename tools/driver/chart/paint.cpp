@@ -19,8 +19,7 @@ constexpr Row kRows[] = {
     {"paper", "#ffffff", "#15171c"},     {"ink", "#1a1a1a", "#e8e6e3"},
     {"soft", "#555555", "#b3b1ad"},      {"grid", "#d0d0d0", "#454a54"},
     {"faint", "#ececec", "#282c34"},     {"blue", "#0072b2", "#56b4e9"},
-    {"vermilion", "#d55e00", "#ff9248"}, {"green", "#008a64", "#2cc79b"},
-    {"purple", "#b3558f", "#e3a1c8"},    {"grey", "#767676", "#9a9a9a"},
+    {"vermilion", "#d55e00", "#ff9248"}, {"grey", "#767676", "#9a9a9a"},
 };
 static_assert(std::size(kRows) == static_cast<std::size_t>(Paint::kCount_));
 

@@ -8,9 +8,10 @@
 
 namespace cobble::driver::chart {
 
-/// The five for data are after Okabe and Ito, "Color Universal Design" (2008): they stay apart for
-/// all common kinds of colour blindness, and each has a contrast of at least 3:1 with the paper.
-/// Charts never tell things apart by colour alone: marks, dashes or places differ too.
+/// Blue and vermilion are two of Okabe and Ito's "Color Universal Design" (2008): they and grey
+/// stay apart for all common kinds of colour blindness, and have a contrast of at least 3.8:1 with
+/// the paper, light or dark. Charts never tell things apart by colour alone: marks, dashes or
+/// places differ too.
 enum class Paint : std::uint8_t {
     kPaper,
     kInk,    ///< text and data without a colour of its own
@@ -19,8 +20,6 @@ enum class Paint : std::uint8_t {
     kFaint,  ///< lines at the ticks between
     kBlue,
     kVermilion,
-    kGreen,
-    kPurple,
     kGrey,  ///< data that matters less
     kCount_
 };

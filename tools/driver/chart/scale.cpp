@@ -70,7 +70,6 @@ LogScale::LogScale(std::span<const double> values) {
 
 double LogScale::unit(double value) const {
     if (!(value > 0)) return 0;
-    if (!std::isfinite(value)) return 1;
     return std::clamp((log10_of(value) - low_) / (high_ - low_), 0.0, 1.0);
 }
 

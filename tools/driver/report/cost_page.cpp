@@ -154,7 +154,7 @@ constexpr std::string_view kTerms =
     "<dt>FLIP</dt><dd>What an eye sees of the difference that flips between two pictures, from 0 "
     "to 1.</dd>\n"
     "<dt>the front</dt><dd>The choices that no other beats in both time and error.</dd>\n"
-    "<dt>-</dt><dd>Not measured.</dd>\n"
+    "<dt>-</dt><dd>Not measured, or not there.</dd>\n"
     "</dl>\n";
 
 }  // namespace

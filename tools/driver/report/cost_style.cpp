@@ -56,7 +56,7 @@ tbody th { font-weight: 600 }
 .cards dl div { display: flex; gap: .35rem }
 .cards dt, .key { color: var(--soft) }
 .cards dd { margin: 0 }
-.key { display: flex; flex-wrap: wrap; align-items: center; gap: .25rem .6rem }
+.key { max-width: none; display: flex; flex-wrap: wrap; align-items: center; gap: .25rem .6rem }
 .key img { width: 12rem; height: .9rem }
 .terms { display: grid; grid-template-columns: max-content 1fr; gap: .3rem 1.25rem }
 .terms dt { font-weight: 600 }
