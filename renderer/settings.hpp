@@ -55,6 +55,9 @@ struct Settings {
     PixelFilter filter = PixelFilter::kBox;
     Precision precision = Precision::kFloat;
     Acceleration acceleration = Acceleration::kFast;
+    /// Every stage in its most general form, with all the columns, whatever the effects: the same
+    /// bits, slower. For tests.
+    bool general_stages = false;
     std::uint32_t tile_size = 32;
     ir::Effects effects;  ///< what to simulate; ir::derive_effects, then the command line's word
     std::optional<ir::TextureFilter> texture_filter;  ///< over every material's own

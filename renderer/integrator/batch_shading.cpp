@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
 
 #include "renderer/shading/fresnel.hpp"
 #include "renderer/shading/phong.hpp"
@@ -11,16 +12,80 @@
 namespace cobble::renderer {
 
 template <typename T>
+bool color_tells_all(const ShadingScene<T>& scene, const Settings& settings) {
+    return sizeof(T) == sizeof(float) && !scene.effects.normal_maps() && !settings.want_depth &&
+           !settings.want_normals && !settings.want_albedo;
+}
+
+template <typename T>
 BatchShading<T>::BatchShading(const ShadingScene<T>& scene)
     : scene_(&scene),
+      plan_(&scene.plan),
       loops_(&column_loops<T>()),
+      forms_of_(choose(scene.plan, *loops_)),
       met_(scene),
       forms_(std::make_unique<SurfaceForms<T>>()),
       hits_(std::make_unique<HitColumns<T>>()),
-      light_(std::make_unique<LightColumns<T>>()),
-      on_(scene.any_scatters() ? std::make_unique<ScatterColumns<T>>() : nullptr),
-      mirrored_{} {
-    others_.reserve(kBatchSize);
+      light_(columns_if_needed<LightColumns<T>>(scene.plan, ColumnGroup::kLight)),
+      shadow_(columns_if_needed<ShadowRays<T>>(scene.plan, ColumnGroup::kShadowRays)),
+      mirrored_(columns_if_needed<Columns3<T>>(scene.plan, ColumnGroup::kHighlights)),
+      on_(columns_if_needed<ScatterColumns<T>>(scene.plan, ColumnGroup::kScatter)),
+      reflected_(columns_if_needed<ChildColumns<T>>(scene.plan, ColumnGroup::kReflected)),
+      refracted_(columns_if_needed<ChildColumns<T>>(scene.plan, ColumnGroup::kRefracted)) {
+    if (scene.plan.needs(ColumnGroup::kOneByOne)) others_.reserve(kBatchSize);
+}
+
+template <typename T>
+auto BatchShading<T>::choose(const RenderPlan& plan, const ColumnLoops<T>& loops) -> Forms {
+    using ir::Effect;
+    Forms forms;
+    forms.look_at_others = [&]<std::size_t... kStages>(std::index_sequence<kStages...>) {
+        constexpr decltype(forms.look_at_others) kLooks[] = {
+            &BatchShading::look_at_others<SurfaceStage{kStages}>...};
+        return kLooks[plan.surface];
+    }
+    (std::make_index_sequence<kAnySurface + 1>{});
+    forms.color = &BatchShading::color_as<MissStage::kColor>;
+    if (compiled_in(Effect::kEnvironment) && plan.miss == MissStage::kCubeMap) {
+        forms.color = &BatchShading::color_as<MissStage::kCubeMap>;
+    }
+    const bool shadows = compiled_in(Effect::kShadows) && plan.shadows;
+    const bool highlights = compiled_in(Effect::kHighlights) && plan.highlights;
+    const bool bent = compiled_in(Effect::kNormalMaps) && (plan.surface & kSurfaceBent) != 0;
+    if (shadows && highlights) {
+        forms.send =
+            bent ? &BatchShading::send<true, true, true> : &BatchShading::send<true, true, false>;
+    } else if (shadows) {
+        forms.send =
+            bent ? &BatchShading::send<true, false, true> : &BatchShading::send<true, false, false>;
+    } else if (highlights) {
+        forms.send =
+            bent ? &BatchShading::send<false, true, true> : &BatchShading::send<false, true, false>;
+    } else {
+        forms.send = bent ? &BatchShading::send<false, false, true>
+                          : &BatchShading::send<false, false, false>;
+    }
+    switch (plan.scatter) {
+        case ScatterStage::kNone:
+            break;
+        case ScatterStage::kReflect:
+            forms.scatter = loops.scatter_mirror;
+            forms.scatter_with_glass = loops.scatter_off_glass;
+            break;
+        case ScatterStage::kRefract:
+            forms.scatter = forms.scatter_with_glass = loops.scatter_through_glass;
+            break;
+        case ScatterStage::kReflectAndRefract:
+            forms.scatter = plan.general ? loops.scatter_glass : loops.scatter_mirror;
+            forms.scatter_with_glass = loops.scatter_glass;
+            break;
+    }
+    return forms;
+}
+
+template <typename T>
+bool BatchShading<T>::has_area(std::uint32_t light) const {
+    return compiled_in(ir::Effect::kSoftShadows) && plan_->lights[light] == LightStage::kArea;
 }
 
 template <typename T>
@@ -86,12 +151,10 @@ void BatchShading<T>::find_rays() {
 }
 
 template <typename T>
-void BatchShading<T>::compute(SurfaceForm form, std::size_t first, std::size_t end) {
+void BatchShading<T>::compute(SurfaceForm form, std::size_t first, std::size_t end,
+                              Counters& counters) {
     if (first == end) return;
-    if (form >= SurfaceForm::kOther) {
-        for (std::size_t i = first; i < end; ++i) look_at_other(i);
-        return;
-    }
+    if (form >= SurfaceForm::kOther) return (this->*forms_of_.look_at_others)(first, end, counters);
     const auto spread = [&](const Columns3<T>& from, Columns3<T>& to) {
         loops_->spread(from, met_.size(), *hits_, to, first, end);
     };
@@ -121,7 +184,8 @@ void BatchShading<T>::compute(SurfaceForm form, std::size_t first, std::size_t e
 }
 
 template <typename T>
-void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hits) {
+void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hits,
+                           Counters& counters) {
     batch_ = &batch;
     given_ = hits;
     met_.begin();
@@ -141,28 +205,31 @@ void BatchShading<T>::look(const RayBatch<T>& batch, std::span<const Hit<T>> hit
     in_order_ = one_form && count_ == hits.size();
     find_rays();
     for (std::size_t i = 0; i < kSurfaceForms; ++i) {
-        compute(static_cast<SurfaceForm>(i), begins[i], begins[i + 1]);
+        compute(static_cast<SurfaceForm>(i), begins[i], begins[i + 1], counters);
     }
-    if (!met_.any_highlight()) return;
+    if (!met_.any_highlight() || mirrored_ == nullptr) return;
     for (std::size_t i = 0; i < lit_; ++i) {
-        mirrored_.set(i, reflect(direction_->at(i), hits_->normal.at(i)));
+        mirrored_->set(i, reflect(direction_->at(i), hits_->normal.at(i)));
     }
 }
 
 template <typename T>
-void BatchShading<T>::look_at_other(std::size_t entry) {
-    const std::size_t lane = lane_[entry];
-    Encounter<T>& met = others_.emplace_back();
-    met.hit = given_[lane];
-    meet(*scene_, batch_->ray(lane), met);
-    const SurfacePoint<T>& point = met.point;
-    hits_->position.set(entry, point.position);
-    hits_->geometric.set(entry, point.geometric_normal);
-    hits_->normal.set(entry, met.look.normal);
-    hits_->kd.set(entry, met.look.kd);
-    hits_->error[entry] = point.error;
-    hits_->turned[entry] = met.look.geometric == point.geometric_normal ? 0 : 1;
-    hits_->light.set(entry, {});
+template <SurfaceStage kStage>
+void BatchShading<T>::look_at_others(std::size_t first, std::size_t end, Counters& counters) {
+    for (std::size_t entry = first; entry < end; ++entry) {
+        const std::size_t lane = lane_[entry];
+        Encounter<T>& met = others_.emplace_back();
+        met.hit = given_[lane];
+        meet_as<kStage>(*scene_, batch_->ray(lane), met, counters);
+        const SurfacePoint<T>& point = met.point;
+        hits_->position.set(entry, point.position);
+        hits_->geometric.set(entry, point.geometric_normal);
+        hits_->normal.set(entry, met.look.normal);
+        hits_->kd.set(entry, met.look.kd);
+        hits_->error[entry] = point.error;
+        hits_->turned[entry] = met.look.geometric == point.geometric_normal ? 0 : 1;
+        hits_->light.set(entry, {});
+    }
 }
 
 template <typename T>
@@ -180,19 +247,21 @@ void BatchShading<T>::sent_by_middle(const PreparedLight& light) {
         const LightSample<T> sample = light_middle(light, math::Vec3<T>{});
         for (std::size_t i = 0; i < lit_; ++i) set_sample(i, sample);
     }
-    sent_by(light);
 }
 
 /// The highlights that phong() adds.
 template <typename T>
-void BatchShading<T>::add_highlights() {
+void BatchShading<T>::add_highlights(Counters& counters) {
+    std::uint64_t count = 0;
     for (std::size_t i = 0; i < lit_; ++i) {
         const PreparedMaterial<T>& material = met_.material(slot_of_entry(static_cast<int>(i)));
         if (!has_highlight(material.specular, material.shininess)) continue;
-        const T bright = highlight(hits_->normal.at(i), light_->direction.at(i), mirrored_.at(i),
+        ++count;
+        const T bright = highlight(hits_->normal.at(i), light_->direction.at(i), mirrored_->at(i),
                                    material.shininess);
         light_->share.set(i, light_->share.at(i) + material.specular * bright);
     }
+    counters.highlights += count;
 }
 
 /// Nothing comes from below the surface that a map bends.
@@ -207,39 +276,44 @@ void BatchShading<T>::leave_out_below_bent() {
 }
 
 template <typename T>
-void BatchShading<T>::sent_by(const PreparedLight& light) {
+template <bool kShadows, bool kHighlights, bool kBent>
+void BatchShading<T>::send(const PreparedLight& light, Counters& counters) {
     loops_->lambert_share(*hits_, *light_, lit_);
-    if (met_.any_highlight()) add_highlights();
-    const bool shadows = scene_->effects.shadows;
-    if (!shadows) {
+    if constexpr (kHighlights) {
+        if (met_.any_highlight()) add_highlights(counters);
+    }
+    if constexpr (!kShadows) {
         loops_->ask_without_shadows(*hits_, *light_, lit_);
     } else if (light.kind == ir::Light::Kind::kPoint) {
-        loops_->ask_with_shadows_to_target(*hits_, *light_, lit_);
+        loops_->ask_with_shadows_to_target(*hits_, *light_, shadow_->of_entries, lit_);
     } else {
-        loops_->ask_with_shadows_in_direction(*hits_, *light_, lit_);
+        loops_->ask_with_shadows_in_direction(*hits_, *light_, shadow_->of_entries, lit_);
     }
-    leave_out_below_bent();
-    shadow_.clear();
-    if (!shadows) {
-        loops_->add_light(*hits_, *light_, lit_);
-    } else {
+    if constexpr (kBent) leave_out_below_bent();
+    if constexpr (kShadows) {
         begin_shadow_rays();
+    } else {
+        loops_->add_light(*hits_, *light_, lit_);
     }
 }
 
 /// Those of the entries that matter, in the order of the batch.
 template <typename T>
 void BatchShading<T>::begin_shadow_rays() {
-    shadow_.in_columns = shadow_.bounded = true;
+    RayBatch<T>& rays = shadow_->rays;
+    auto& asker = shadow_->asker;
+    rays.clear();
+    rays.in_columns = rays.bounded = true;
     const auto& stretches = batch_->stretches;
     if (sorted_as_given_ && stretches.size() == 1) {
-        const std::size_t count = loops_->begin_shadow_rays(met_.columns(), met_.size(), *hits_,
-                                                            *light_, lit_, shadow_, asker_);
-        shadow_.end_stretch_at(count, stretches[0].coherence);
-        shadow_.count = count;
+        const std::size_t count = loops_->begin_shadow_rays(
+            met_.columns(), met_.size(), *hits_, *light_, shadow_->of_entries, lit_, rays, asker);
+        rays.end_stretch_at(count, stretches[0].coherence);
+        rays.count = count;
     } else {
         // Looked up once: what is written may be anything, for all that the compiler knows.
         const LightColumns<T>& answers = *light_;
+        const ShadowColumns<T>& of_entries = shadow_->of_entries;
         const std::int32_t* const slot_of_entry = hits_->slot;
         const SurfaceSlots<T>& slots = met_.columns();
         const std::size_t lit = lit_;
@@ -249,40 +323,41 @@ void BatchShading<T>::begin_shadow_rays() {
                 const auto i = static_cast<std::size_t>(entry_[lane]);
                 // Entries of rays that met nothing are beyond all.
                 if (i >= lit || answers.matters[i] == 0) continue;
-                shadow_.origin.set(count, answers.from.at(i));
-                shadow_.direction.set(count, answers.way.at(i));
-                shadow_.t_max[count] = answers.t_max[i];
+                rays.origin.set(count, of_entries.from.at(i));
+                rays.direction.set(count, of_entries.way.at(i));
+                rays.t_max[count] = of_entries.t_max[i];
                 const auto slot = static_cast<std::size_t>(slot_of_entry[i]);
-                shadow_.object[count] = slots.object[slot];
-                shadow_.face[count] = slots.face[slot];
-                shadow_.outward[count] = answers.outward[i];
-                asker_[count++] = static_cast<std::uint32_t>(i);
+                rays.object[count] = slots.object[slot];
+                rays.face[count] = slots.face[slot];
+                rays.outward[count] = of_entries.outward[i];
+                asker[count++] = static_cast<std::uint32_t>(i);
             }
-            shadow_.end_stretch_at(count, stretch.coherence);
+            rays.end_stretch_at(count, stretch.coherence);
         }
-        shadow_.count = count;
+        rays.count = count;
     }
-    if (scene_->effects.motion_blur) {
-        for (std::size_t i = 0; i < shadow_.count; ++i) {
-            shadow_.time[i] = batch_->ray(lane_[asker_[i]]).time;
+    if (scene_->effects.motion_blur()) {
+        for (std::size_t i = 0; i < rays.count; ++i) {
+            rays.time[i] = batch_->ray(lane_[asker[i]]).time;
         }
     } else {
-        std::fill_n(shadow_.time, shadow_.count, batch_->ray(0).time);
+        std::fill_n(rays.time, rays.count, batch_->ray(0).time);
     }
 }
 
 template <typename T>
-void BatchShading<T>::add_unhidden(std::span<const Hit<T>> hidden_by) {
-    // Without shadows all has been added.
-    if (hidden_by.empty()) return;
-    for (std::size_t i = 0; i < hidden_by.size(); ++i) {
-        light_->matters[asker_[i]] = hidden_by[i] ? 0 : 1;
+void BatchShading<T>::add_unhidden() {
+    const std::size_t count = shadow_->rays.size();
+    if (count == 0) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        light_->matters[shadow_->asker[i]] = shadow_->hidden_by[i] ? 0 : 1;
     }
     loops_->add_light(*hits_, *light_, lit_);
 }
 
 template <typename T>
-void BatchShading<T>::color(Columns3<T>& colors) {
+template <MissStage kStage>
+void BatchShading<T>::color_as(Columns3<T>& colors, Counters& counters) {
     const std::size_t count = given_.size();
     if (lit_ == count && in_order_) {
         loops_->add_ambient(scene_->ambient, *hits_, colors, count);
@@ -294,11 +369,16 @@ void BatchShading<T>::color(Columns3<T>& colors) {
         const std::int32_t entry = entry_[lane];
         const auto i = static_cast<std::size_t>(entry);
         if (entry < 0) {
-            colors.set(lane, background(*scene_, batch_->ray(lane).direction));
+            if constexpr (kStage == MissStage::kCubeMap) {
+                colors.set(lane, background(*scene_, batch_->ray(lane).direction, counters));
+            } else {
+                colors.set(lane, scene_->background);
+            }
         } else if (i < lit_) {
             colors.set(lane, hits_->light.at(i));
         } else {
-            colors.set(lane, color_of(*scene_, batch_->ray(lane), others_[i - first_other_]));
+            colors.set(lane,
+                       color_of(*scene_, batch_->ray(lane), others_[i - first_other_], counters));
         }
     }
 }
@@ -311,8 +391,8 @@ bool BatchShading<T>::scatter(const Carried<T>* carried) {
         on_->weight.set(i, of.weight);
         on_->index[i] = of.index;
     }
-    (met_.any_glass() ? loops_->scatter_glass : loops_->scatter_mirror)(met_.columns(), *hits_,
-                                                                        *direction_, *on_, count_);
+    (met_.any_glass() ? forms_of_.scatter_with_glass : forms_of_.scatter)(
+        met_.columns(), *hits_, *direction_, *on_, reflected_.get(), refracted_.get(), count_);
     return true;
 }
 
@@ -321,9 +401,9 @@ void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
                                       PendingRays<T>& to) const {
     const bool reflected = kind == RayKind::kReflected;
     const ActiveEffects& effects = scene_->effects;
-    if (reflected ? !effects.reflection : !effects.refraction || !met_.any_glass()) return;
+    if (reflected ? !effects.reflection() : !effects.refraction() || !met_.any_glass()) return;
     // Looked up once: what is written may be anything, for all that the compiler knows.
-    const ChildColumns<T>& children = reflected ? on_->reflected : on_->refracted;
+    const ChildColumns<T>& children = reflected ? *reflected_ : *refracted_;
     const SurfaceSlots<T>& slots = met_.columns();
     const std::int32_t* const slot_of_entry = hits_->slot;
     const T* const beyond = on_->index_beyond;
@@ -374,11 +454,15 @@ Encounter<T> BatchShading<T>::encounter(std::size_t lane) const {
     point.object = met.hit.object;
     point.face = met.hit.face;
     point.material = object.material;
-    met.look = look_at_surface(*scene_, *met.material, point, direction_->at(i));
+    Counters nothing_to_count;
+    met.look = look_at_surface<SurfaceStage{0}>(*scene_, *met.material, point, direction_->at(i),
+                                                nothing_to_count);
     met.light = hits_->light.at(i);
     return met;
 }
 
+template bool color_tells_all(const ShadingScene<float>&, const Settings&);
+template bool color_tells_all(const ShadingScene<double>&, const Settings&);
 template class BatchShading<float>;
 template class BatchShading<double>;
 

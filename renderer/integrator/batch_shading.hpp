@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From the hits of a batch of rays to their colours: the stages of stages.hpp for many rays at
 // once. Surfaces at rest, of plain materials, go through loops over columns; whatever else there is
-// goes through stages.hpp one by one, and joins them before the lights.
+// goes through stages.hpp one by one, and joins them before the lights. Which form of a stage a
+// batch takes was chosen once, by the plan of the render.
 //
 //   look, then for each light ask, the shadow rays, and add_unhidden, then color
 #pragma once
@@ -12,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/integrator/batch_columns.hpp"
 #include "renderer/integrator/column_loops.hpp"
 #include "renderer/integrator/columns.hpp"
 #include "renderer/integrator/met_surfaces.hpp"
@@ -26,12 +28,9 @@ namespace cobble::renderer {
 /// precision no normal is unsound but one that a map bends, and a colour of the surface that is no
 /// number makes all that it reflects none.
 template <typename T>
-bool color_tells_all(const ShadingScene<T>& scene, const Settings& settings) {
-    return sizeof(T) == sizeof(float) && !scene.effects.normal_maps && !settings.want_depth &&
-           !settings.want_normals && !settings.want_albedo;
-}
+bool color_tells_all(const ShadingScene<T>& scene, const Settings& settings);
 
-/// Memory: in single precision some 80 kB, and 15 more where rays go on from surfaces.
+/// Memory: columns_of() the scene's plan.
 template <typename T>
 class BatchShading {
   public:
@@ -40,31 +39,35 @@ class BatchShading {
 
     /// `hits` are closest_hit()'s answers to the rays of `batch`; both must stay as they are until
     /// the colours are known.
-    void look(const RayBatch<T>& batch, std::span<const Hit<T>> hits);
+    void look(const RayBatch<T>& batch, std::span<const Hit<T>> hits, Counters& counters);
     [[nodiscard]] bool any_lit() const { return lit_ > 0; }
 
     /// What light `light` sends to each surface, and the rays that ask whether it arrives, in the
     /// order of the batch; where nothing can be in its way it is added at once. Draws for a light
     /// with a size come from `draw(ray's place in the batch)`.
     template <typename Draws>
-    void ask(std::uint32_t light, const Draws& draw) {
+    void ask(std::uint32_t light, const Draws& draw, Counters& counters) {
         const PreparedLight& source = scene_->lights[light];
-        if (scene_->effects.soft_shadows && source.has_size()) {
+        if (has_area(light)) {
+            counters.light_draws += lit_;
             for (std::size_t i = 0; i < lit_; ++i) {
                 set_sample(i, light_sample(source, hits_->position.at(i), draw(lane_[i])));
             }
-            sent_by(source);
         } else {
             sent_by_middle(source);
         }
+        (this->*forms_of_.send)(source, counters);
     }
-    /// The rays of the last ask().
-    RayBatch<T>& shadow() { return shadow_; }
-    /// `hidden_by`: any_hits()' answers to the shadow rays.
-    void add_unhidden(std::span<const Hit<T>> hidden_by);
+    /// The rays of the last ask(), and the place for any_hits()' answers to them; null if the plan
+    /// has none: then all light has been added.
+    ShadowRays<T>* shadow() { return shadow_.get(); }
+    /// Of the answers.
+    void add_unhidden();
 
     /// What each ray brings back by itself, by its place in the batch.
-    void color(Columns3<T>& colors);
+    void color(Columns3<T>& colors, Counters& counters) {
+        (this->*forms_of_.color)(colors, counters);
+    }
     /// What ray `lane` met, in full but for texture coordinates that nobody read.
     [[nodiscard]] Encounter<T> encounter(std::size_t lane) const;
 
@@ -81,21 +84,39 @@ class BatchShading {
     }
     /// In the columns, in the order of the forms.
     using FormBegins = std::array<std::size_t, kSurfaceForms + 1>;
+    /// The forms of stages that the plan has chosen.
+    struct Forms {
+        void (BatchShading::*look_at_others)(std::size_t first, std::size_t end,
+                                             Counters& counters) = nullptr;
+        void (BatchShading::*send)(const PreparedLight& light, Counters& counters) = nullptr;
+        void (BatchShading::*color)(Columns3<T>& colors, Counters& counters) = nullptr;
+        typename ColumnLoops<T>::Scatter scatter = nullptr;
+        typename ColumnLoops<T>::Scatter scatter_with_glass = nullptr;
+    };
+    static Forms choose(const RenderPlan& plan, const ColumnLoops<T>& loops);
+
+    [[nodiscard]] bool has_area(std::uint32_t light) const;
     void place(std::size_t lane, std::size_t slot, std::size_t entry);
     std::uint32_t place_in_order();
     FormBegins place_by_form();
     void find_rays();
-    void compute(SurfaceForm form, std::size_t first, std::size_t end);
-    void look_at_other(std::size_t entry);
+    void compute(SurfaceForm form, std::size_t first, std::size_t end, Counters& counters);
+    template <SurfaceStage kStage>
+    void look_at_others(std::size_t first, std::size_t end, Counters& counters);
     void set_sample(std::size_t entry, const LightSample<T>& sample);
     void sent_by_middle(const PreparedLight& light);
-    void sent_by(const PreparedLight& light);
-    void add_highlights();
+    template <bool kShadows, bool kHighlights, bool kBent>
+    void send(const PreparedLight& light, Counters& counters);
+    void add_highlights(Counters& counters);
     void leave_out_below_bent();
+    template <MissStage kStage>
+    void color_as(Columns3<T>& colors, Counters& counters);
     void begin_shadow_rays();
 
     const ShadingScene<T>* scene_;
+    const RenderPlan* plan_;
     const ColumnLoops<T>* loops_;
+    Forms forms_of_;
     const RayBatch<T>* batch_ = nullptr;
     std::span<const Hit<T>> given_;
 
@@ -108,7 +129,10 @@ class BatchShading {
     std::unique_ptr<SurfaceForms<T>> forms_;
     std::unique_ptr<HitColumns<T>> hits_;
     std::unique_ptr<LightColumns<T>> light_;
-    std::unique_ptr<ScatterColumns<T>> on_;  ///< null if no ray goes on from anywhere
+    std::unique_ptr<ShadowRays<T>> shadow_;
+    std::unique_ptr<Columns3<T>> mirrored_;  ///< rays at surfaces with a highlight
+    std::unique_ptr<ScatterColumns<T>> on_;
+    std::unique_ptr<ChildColumns<T>> reflected_, refracted_;
     std::array<std::uint32_t, kBatchSize> lane_{};
     std::size_t lit_ = 0;
     std::size_t first_other_ = 0;
@@ -120,10 +144,6 @@ class BatchShading {
     const Columns3<T>* direction_ = nullptr;
     Columns3<T> own_from_, own_direction_;
     std::vector<Encounter<T>> others_;  ///< from first_other_ on
-    Columns3<T> mirrored_;              ///< rays at surfaces with a highlight
-
-    RayBatch<T> shadow_;
-    std::array<std::uint32_t, kBatchSize> asker_{};  ///< entry, by shadow ray
 };
 
 }  // namespace cobble::renderer

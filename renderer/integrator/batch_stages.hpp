@@ -38,31 +38,32 @@ class BatchStages {
                         cross_seams(*scene_, rays_.ray(i), hits_[i]);
                     }
                 }
-                shading_.look(rays_, std::span<const Hit<T>>(hits_).first(rays_.size()));
+                shading_.look(rays_, std::span<const Hit<T>>(hits_).first(rays_.size()), counters);
                 light_ = number_ = 0;
                 stage_ =
                     shading_.any_lit() && !scene_->lights.empty() ? Stage::kAsk : Stage::kColor;
                 break;
             case Stage::kAsk:
-                shading_.ask(light_,
-                             [&](std::size_t place) { return draw(place, light_, number_); });
-                counters.shadow_rays += shading_.shadow().size();
+                shading_.ask(
+                    light_, [&](std::size_t place) { return draw(place, light_, number_); },
+                    counters);
+                if (shading_.shadow() == nullptr) {
+                    next_sample();
+                    break;
+                }
+                counters.shadow_rays += shading_.shadow()->rays.size();
                 stage_ = Stage::kShadow;
                 break;
             case Stage::kShadow:
-                if (!pace_.any<T>(scene_->geometry, shading_.shadow(), hidden_by_, counters)) {
+                if (!pace_.any<T>(scene_->geometry, shading_.shadow()->rays,
+                                  shading_.shadow()->hidden_by, counters)) {
                     break;
                 }
-                shading_.add_unhidden(
-                    std::span<const Hit<T>>(hidden_by_).first(shading_.shadow().size()));
-                if (++number_ == scene_->lights[light_].samples) {
-                    number_ = 0;
-                    ++light_;
-                }
-                stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kColor;
+                shading_.add_unhidden();
+                next_sample();
                 break;
             case Stage::kColor:
-                shading_.color(colors_);
+                shading_.color(colors_, counters);
                 return true;
         }
         return false;
@@ -76,6 +77,15 @@ class BatchStages {
   private:
     enum class Stage : std::uint8_t { kMeet, kLook, kAsk, kShadow, kColor };
 
+    /// Of the light, or the first one of the next light.
+    void next_sample() {
+        if (++number_ == scene_->lights[light_].samples) {
+            number_ = 0;
+            ++light_;
+        }
+        stage_ = light_ < scene_->lights.size() ? Stage::kAsk : Stage::kColor;
+    }
+
     const ShadingScene<T>* scene_;
     Stage stage_ = Stage::kMeet;
     std::uint32_t light_ = 0;
@@ -84,7 +94,6 @@ class BatchStages {
     Pace pace_;
     std::array<Hit<T>, kBatchSize> hits_;
     BatchShading<T> shading_;
-    std::array<Hit<T>, kBatchSize> hidden_by_;  ///< of each shadow ray
     Columns3<T> colors_;
 };
 

@@ -78,7 +78,7 @@ void BatchedTile<T>::begin_batch(TileWork& work) {
 
 template <typename T>
 void BatchedTile<T>::begin_camera_batch(TileWork& work) {
-    camera_.begin(flights_.size() - begun_, from_camera_);
+    camera_.begin(flights_.size() - begun_, from_camera_, work.counters);
     RayBatch<T>& rays = batch_.rays();
     rays = from_camera_;
     work.counters.camera_rays += rays.size();

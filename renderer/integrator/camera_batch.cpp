@@ -15,9 +15,22 @@ CameraBatch<T>::CameraBatch(const ShadingScene<T>& scene, const Settings& settin
       settings_(&settings),
       loops_(&column_loops<T>()),
       pass_(pass),
-      simple_(!scene.effects.depth_of_field && !scene.effects.motion_blur),
+      send_(choose(scene.plan.rays)),
       next_(pass, tile),
       columns_(std::make_unique<CameraColumns>()) {}
+
+template <typename T>
+auto CameraBatch<T>::choose(RayStage stage) -> SendRays {
+    using ir::Effect;
+    constexpr bool kLens = compiled_in(Effect::kDepthOfField);
+    constexpr bool kTime = compiled_in(Effect::kMotionBlur);
+    if (kLens && kTime && stage == RayStage::kLensAndTime) {
+        return &CameraBatch::send<RayStage::kLensAndTime>;
+    }
+    if (kLens && stage == RayStage::kLens) return &CameraBatch::send<RayStage::kLens>;
+    if (kTime && stage == RayStage::kTime) return &CameraBatch::send<RayStage::kTime>;
+    return &CameraBatch::send<RayStage::kPinhole>;
+}
 
 /// Where begin_sample() lets the ray through.
 template <typename T>
@@ -45,7 +58,7 @@ void CameraBatch<T>::place_in_pixels() {
 }
 
 template <typename T>
-std::size_t CameraBatch<T>::choose(std::size_t most) {
+std::size_t CameraBatch<T>::choose_samples(std::size_t most) {
     CameraColumns& c = *columns_;
     most = std::min(most, kBatchSize);
     std::size_t count = 0;
@@ -70,36 +83,53 @@ std::size_t CameraBatch<T>::choose(std::size_t most) {
 }
 
 template <typename T>
-void CameraBatch<T>::begin(std::size_t most, RayBatch<T>& batch) {
-    begin_in_columns(most, batch);
+void CameraBatch<T>::begin(std::size_t most, RayBatch<T>& batch, Counters& counters) {
+    begin_in_columns(most, batch, counters);
     if (!batch.in_columns) return;
     for (std::size_t i = 0; i < batch.size(); ++i) batch.rays[i] = batch.ray(i);
 }
 
+/// Of rays through a pinhole origin and time are those of any.
 template <typename T>
-void CameraBatch<T>::begin_in_columns(std::size_t most, RayBatch<T>& batch) {
-    const std::size_t count = choose(most);
-    CameraColumns& c = *columns_;
+void CameraBatch<T>::fill_common(RayBatch<T>& batch) {
+    if (!first_) return;
+    first_ = false;
+    const Ray<T> any = camera_ray_as<RayStage::kPinhole>(*scene_, Sampler(0, 0, 0, 0), 0, 0);
+    for (std::size_t i = 0; i < kBatchSize; ++i) {
+        batch.origin.set(i, any.origin);
+        batch.time[i] = any.time;
+    }
+}
+
+template <typename T>
+template <RayStage kStage>
+void CameraBatch<T>::send(RayBatch<T>& batch) {
+    const CameraColumns& c = *columns_;
+    const std::size_t count = batch.size();
+    if constexpr (kStage == RayStage::kPinhole || kStage == RayStage::kTime) {
+        fill_common(batch);
+        loops_->through_pinhole(scene_->camera, c, batch.direction, count);
+        batch.in_columns = true;
+        if constexpr (kStage == RayStage::kTime) {
+            for (std::size_t i = 0; i < count; ++i) {
+                batch.time[i] = static_cast<T>(scene_->camera.time(sampler(i).draw(Draw::kTime).x));
+            }
+        }
+    } else {
+        for (std::size_t i = 0; i < count; ++i) {
+            batch.rays[i] = camera_ray_as<kStage>(*scene_, sampler(i), c.x[i], c.y[i]);
+        }
+    }
+}
+
+template <typename T>
+void CameraBatch<T>::begin_in_columns(std::size_t most, RayBatch<T>& batch, Counters& counters) {
+    const std::size_t count = choose_samples(most);
     place_in_pixels();
     batch.begin(count);
     batch.end_stretch(Coherence::kCoherent);
-    if (simple_) {
-        // Origin and time are those of any ray.
-        if (first_) {
-            const Ray<T> any = camera_ray(*scene_, Sampler(0, 0, 0, 0), 0, 0).ray;
-            for (std::size_t i = 0; i < kBatchSize; ++i) {
-                batch.origin.set(i, any.origin);
-                batch.time[i] = any.time;
-            }
-        }
-        first_ = false;
-        loops_->through_pinhole(scene_->camera, c, batch.direction, count);
-        batch.in_columns = true;
-        return;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        batch.rays[i] = camera_ray(*scene_, sampler(i), c.x[i], c.y[i]).ray;
-    }
+    (this->*send_)(batch);
+    count_draws(counters, scene_->plan.rays, count);
 }
 
 template class CameraBatch<float>;

@@ -28,9 +28,9 @@ class CameraBatch {
     /// Begins the next samples, `most` of them or as many as there are, but at most kBatchSize, and
     /// makes `rays` theirs, one stretch. The same batch each time: what all rays have in common
     /// stays in it.
-    void begin(std::size_t most, RayBatch<T>& rays);
+    void begin(std::size_t most, RayBatch<T>& rays, Counters& counters);
     /// The same, but rays that are in columns are only there.
-    void begin_in_columns(std::size_t most, RayBatch<T>& rays);
+    void begin_in_columns(std::size_t most, RayBatch<T>& rays, Counters& counters);
 
     // Of the samples begun last, by their place in the batch.
     [[nodiscard]] PixelPlace place(std::size_t i) const {
@@ -47,15 +47,21 @@ class CameraBatch {
     }
 
   private:
-    std::size_t choose(std::size_t most);
+    std::size_t choose_samples(std::size_t most);
     void place_in_pixels();
+    /// The rays of the samples begun, as the plan's stage has them.
+    using SendRays = void (CameraBatch::*)(RayBatch<T>& rays);
+    static SendRays choose(RayStage stage);
+    template <RayStage kStage>
+    void send(RayBatch<T>& rays);
+    void fill_common(RayBatch<T>& rays);
     [[nodiscard]] const PixelRun& run_of(std::size_t i) const { return columns_->runs[run_[i]]; }
 
     const ShadingScene<T>* scene_;
     const Settings* settings_;
     const ColumnLoops<T>* loops_;
     SamplePass pass_;
-    bool simple_;  ///< neither lens nor time
+    SendRays send_;
     SampleCursor next_;
     std::unique_ptr<CameraColumns> columns_;
     std::array<std::uint8_t, kBatchSize> run_{};  ///< by place in the batch

@@ -238,39 +238,40 @@ struct Lit {
         answers.share.set(i, left);
         answers.matters[i] = left.x == T(0) && left.y == T(0) && left.z == T(0) ? 0 : 1;
     }
-    void set_way(LightColumns<T>& answers, std::size_t i, bool outward, math::Vec3<T> from,
+    void set_way(ShadowColumns<T>& rays, std::size_t i, bool outward, math::Vec3<T> from,
                  const Way<T>& way) const {
-        answers.from.set(i, from);
-        answers.outward[i] = outward ? 1 : 0;
-        answers.way.set(i, way.direction);
-        answers.t_max[i] = way.t_max;
+        rays.from.set(i, from);
+        rays.outward[i] = outward ? 1 : 0;
+        rays.way.set(i, way.direction);
+        rays.t_max[i] = way.t_max;
     }
 };
 
 template <typename T>
 COBBLE_LOOP void ask_with_shadows_to_target(const HitColumns<T>& __restrict hits,
                                             LightColumns<T>& __restrict answers,
-                                            std::size_t count) {
+                                            ShadowColumns<T>& __restrict rays, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const Lit<T> lit(hits, answers, i);
         const bool outward = goes_outward(lit.target - lit.position, lit.geometric);
         const math::Vec3<T> from = start_off(lit.position, lit.geometric, lit.error, outward);
         const Way<T> way = way_to(from, lit.target, lit.geometric);
         lit.set_share(answers, i, true);
-        lit.set_way(answers, i, outward, from, way);
+        lit.set_way(rays, i, outward, from, way);
     }
 }
 
 template <typename T>
 COBBLE_LOOP void ask_with_shadows_in_direction(const HitColumns<T>& __restrict hits,
                                                LightColumns<T>& __restrict answers,
+                                               ShadowColumns<T>& __restrict rays,
                                                std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const Lit<T> lit(hits, answers, i);
         const bool outward = goes_outward(lit.direction, lit.geometric);
         const math::Vec3<T> from = start_off(lit.position, lit.geometric, lit.error, outward);
         lit.set_share(answers, i, true);
-        lit.set_way(answers, i, outward, from, {lit.direction, std::numeric_limits<T>::infinity()});
+        lit.set_way(rays, i, outward, from, {lit.direction, std::numeric_limits<T>::infinity()});
     }
 }
 
@@ -308,10 +309,12 @@ void set_child(ChildColumns<T>& children, std::size_t i, math::Vec3<T> position,
     children.heading[i] = heading(direction);
 }
 
-template <bool kGlass, typename T>
+template <bool kGlass, bool kReflected, bool kRefracted, typename T>
 COBBLE_LOOP void scatter(const SurfaceSlots<T>& __restrict slots,
                          const HitColumns<T>& __restrict hits, const Columns3<T>& __restrict way,
-                         ScatterColumns<T>& __restrict rays, std::size_t count) {
+                         ScatterColumns<T>& __restrict rays, ChildColumns<T>* __restrict reflected,
+                         ChildColumns<T>* __restrict refracted, std::size_t count) {
+    static_assert(kGlass || !kRefracted);
     for (std::size_t i = 0; i < count; ++i) {
         const auto slot = static_cast<std::size_t>(hits.slot[i]);
         const math::Vec3<T> direction = way.at(i);
@@ -334,13 +337,18 @@ COBBLE_LOOP void scatter(const SurfaceSlots<T>& __restrict slots,
             const Refraction<T> through =
                 refract(direction, viewer_normal, rays.index[i], see_through ? index : T(1));
             reflectance = see_through ? through.reflectance : T(1);
-            const math::Vec3<T> on = keep_above(through.direction, -viewer_geometric);
-            rays.index_beyond[i] = index;
-            set_child(rays.refracted, i, position, geometric, error, on,
-                      tint * (T(1) - reflectance), see_through && !through.total);
+            if constexpr (kRefracted) {
+                const math::Vec3<T> on = keep_above(through.direction, -viewer_geometric);
+                rays.index_beyond[i] = index;
+                set_child(*refracted, i, position, geometric, error, on,
+                          tint * (T(1) - reflectance), see_through && !through.total);
+            }
         }
-        const math::Vec3<T> back = keep_above(reflect(direction, viewer_normal), viewer_geometric);
-        set_child(rays.reflected, i, position, geometric, error, back, tint * reflectance, true);
+        if constexpr (kReflected) {
+            const math::Vec3<T> back =
+                keep_above(reflect(direction, viewer_normal), viewer_geometric);
+            set_child(*reflected, i, position, geometric, error, back, tint * reflectance, true);
+        }
     }
 }
 
@@ -383,8 +391,10 @@ const ColumnLoops<T>& loops() {
         ask_without_shadows<T>,
         begin_shadow_rays<T>,
         add_light<T>,
-        scatter<false, T>,
-        scatter<true, T>,
+        scatter<false, true, false, T>,
+        scatter<true, true, false, T>,
+        scatter<true, false, true, T>,
+        scatter<true, true, true, T>,
         add_ambient<T>,
         sum_pixels<T>,
         all_finite<T>,

@@ -45,26 +45,32 @@ struct ColumnLoops {
                            LightColumns<T>& answers, std::size_t count);
     /// lambert(), into `share`.
     void (*lambert_share)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
-    /// Times intensity, nothing from below; and the way to the light: to `target`, or endlessly in
+    /// Times intensity; nothing from below, and the way to the light: to `target`, or endlessly in
     /// its direction.
-    using Ask = void (*)(const HitColumns<T>& hits, LightColumns<T>& answers, std::size_t count);
-    Ask ask_with_shadows_to_target, ask_with_shadows_in_direction, ask_without_shadows;
+    using Ask = void (*)(const HitColumns<T>& hits, LightColumns<T>& answers,
+                         ShadowColumns<T>& rays, std::size_t count);
+    Ask ask_with_shadows_to_target, ask_with_shadows_in_direction;
+    void (*ask_without_shadows)(const HitColumns<T>& hits, LightColumns<T>& answers,
+                                std::size_t count);
 
     /// The rays to the light from hits whose share matters, side by side, all but their time; which
     /// hits those are, and how many.
     std::size_t (*begin_shadow_rays)(const SurfaceSlots<T>& slots, std::size_t slot_count,
                                      const HitColumns<T>& hits, const LightColumns<T>& answers,
-                                     std::size_t count, RayBatch<T>& rays,
+                                     const ShadowColumns<T>& of_entries, std::size_t count,
+                                     RayBatch<T>& rays,
                                      std::array<std::uint32_t, kBatchSize>& askers);
 
     /// Adds the shares that matter to the hits' light.
     void (*add_light)(HitColumns<T>& hits, const LightColumns<T>& answers, std::size_t count);
 
-    /// What scatter() sends on, of mirrors alone or of glass too.
+    /// What scatter() sends on, into the columns of each kind; null: none of that kind. Of mirrors
+    /// alone; and of glass too: what it reflects, what it lets through, both.
     using Scatter = void (*)(const SurfaceSlots<T>& slots, const HitColumns<T>& hits,
                              const Columns3<T>& direction, ScatterColumns<T>& rays,
+                             ChildColumns<T>* reflected, ChildColumns<T>* refracted,
                              std::size_t count);
-    Scatter scatter_mirror, scatter_glass;
+    Scatter scatter_mirror, scatter_off_glass, scatter_through_glass, scatter_glass;
 
     /// ambient kd + light, into `colors`, which may be the light's own columns.
     void (*add_ambient)(math::Vec3<T> ambient, const HitColumns<T>& hits, Columns3<T>& colors,

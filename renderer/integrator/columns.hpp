@@ -114,11 +114,11 @@ struct ChildColumns {
     alignas(kColumnAlignment) std::int32_t heading[kBatchSize];  ///< heading()
 };
 
+/// What both kinds have in common.
 template <typename T>
 struct ScatterColumns {
-    Columns3<T> weight;                             ///< of the ray that came
-    alignas(kColumnAlignment) T index[kBatchSize];  ///< of where it travelled
-    ChildColumns<T> reflected, refracted;
+    Columns3<T> weight;                                    ///< of the ray that came
+    alignas(kColumnAlignment) T index[kBatchSize];         ///< of where it travelled
     alignas(kColumnAlignment) T index_beyond[kBatchSize];  ///< of where the refracted ray travels
 };
 
@@ -127,11 +127,15 @@ template <typename T>
 struct LightColumns {
     Columns3<T> direction, target, intensity;  ///< of LightSample
     Columns3<T> share;                         ///< of the light that is sent on, unless hidden
-    /// The ray that asks whether it is hidden.
+    alignas(kColumnAlignment) std::int32_t matters[kBatchSize];  ///< the share is not zero
+};
+
+/// The ray that asks whether it is hidden.
+template <typename T>
+struct ShadowColumns {
     Columns3<T> from, way;
     alignas(kColumnAlignment) T t_max[kBatchSize];
     alignas(kColumnAlignment) std::int32_t outward[kBatchSize];
-    alignas(kColumnAlignment) std::int32_t matters[kBatchSize];  ///< the share is not zero
 };
 
 /// Sums of pixels, as CompensatedSum keeps them.

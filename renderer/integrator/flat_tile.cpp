@@ -36,7 +36,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
     RayBatch<T>& rays = batch_.rays();
-    camera_.begin_in_columns(most_, rays);
+    camera_.begin_in_columns(most_, rays, work.counters);
     work.counters.camera_rays += rays.size();
     batch_.begin();
     on_its_way_ = true;

@@ -17,7 +17,7 @@ namespace cobble::renderer {
 template <typename T>
 class FlatTile final : public PausedWork {
   public:
-    /// Scene and settings must outlive this. The scene's any_scatters() is false.
+    /// Scene and settings must outlive this. The scene's plan says so.
     FlatTile(const ShadingScene<T>& scene, const Settings& settings, const TileWork& work);
 
     /// Goes on with `work`, the one that this was made for; true once it is done, false if stopped.

@@ -6,15 +6,6 @@
 #include "renderer/shading/phong.hpp"
 
 namespace cobble::renderer {
-namespace {
-
-/// What surface_at() and look_at_surface() say of it depends on the hit and its colour alone.
-template <typename T>
-bool is_plain(const PreparedMaterial<T>& material) {
-    return !material.reads_uv() && material.noise == nullptr && material.cube_map == nullptr;
-}
-
-}  // namespace
 
 template <typename T>
 MetSurfaces<T>::MetSurfaces(const ShadingScene<T>& scene)
@@ -25,9 +16,7 @@ SurfaceForm MetSurfaces<T>::form_of(const ir::Object& object, const Hit<T>& hit)
     const ir::Scene& source = *scene_->source;
     const PreparedMaterial<T>& material = scene_->material(object.material);
     if (material.cube_map != nullptr) return SurfaceForm::kUnlit;
-    if (!is_plain(material) || scene_->geometry.geometry.places[hit.object.value].instance) {
-        return SurfaceForm::kOther;
-    }
+    if (!material.plain() || !is_plain_shape(source, object)) return SurfaceForm::kOther;
     switch (object.kind) {
         case ir::ShapeKind::kMesh: {
             const auto& c = source.meshes[object.shape].faces[hit.face].corners;
@@ -37,11 +26,9 @@ SurfaceForm MetSurfaces<T>::form_of(const ir::Object& object, const Hit<T>& hit)
             return smooth ? SurfaceForm::kSmooth : SurfaceForm::kFlat;
         }
         case ir::ShapeKind::kTriangle:
-            return source.triangles[object.shape].keys.size() > 1 ? SurfaceForm::kOther
-                                                                  : SurfaceForm::kFlat;
+            return SurfaceForm::kFlat;
         case ir::ShapeKind::kSphere:
-            return source.spheres[object.shape].keys.size() > 1 ? SurfaceForm::kOther
-                                                                : SurfaceForm::kSphere;
+            return SurfaceForm::kSphere;
         case ir::ShapeKind::kBox:
             return SurfaceForm::kBox;
         case ir::ShapeKind::kPlane:
@@ -71,7 +58,7 @@ void MetSurfaces<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
     material_[slot] = &material;
     const ActiveEffects& effects = scene_->effects;
     any_highlight_ = any_highlight_ ||
-                     (effects.highlights && has_highlight(material.specular, material.shininess));
+                     (effects.highlights() && has_highlight(material.specular, material.shininess));
     columns_->specular.set(slot, material.specular);
     columns_->index[slot] = material.refraction_index;
     scatters_[slot] = scene_->scatters(material) ? 1 : 0;

@@ -12,7 +12,7 @@ namespace cobble::renderer {
 
 template <typename T>
 SceneRenderer<T>::SceneRenderer(ShadingScene<T> scene, const Settings& settings)
-    : scene_(std::move(scene)), settings_(settings), any_scatters_(scene_.any_scatters()) {}
+    : scene_(std::move(scene)), settings_(settings) {}
 
 template <typename T>
 template <typename Way>
@@ -24,12 +24,13 @@ void SceneRenderer<T>::go_on(TileWork& work, Film& film, StopCheck& stop) const 
 
 template <typename T>
 void SceneRenderer<T>::render_tile(TileWork& work, Film& film, StopCheck& stop) const {
-    if (settings_.acceleration != Acceleration::kFast) {
-        go_on<SingleTile<T>>(work, film, stop);
-    } else if (any_scatters_) {
-        go_on<BatchedTile<T>>(work, film, stop);
-    } else {
-        go_on<FlatTile<T>>(work, film, stop);
+    switch (scene_.plan.tracing) {
+        case Tracing::kRayByRay:
+            return go_on<SingleTile<T>>(work, film, stop);
+        case Tracing::kStraight:
+            return go_on<FlatTile<T>>(work, film, stop);
+        case Tracing::kInTurns:
+            return go_on<BatchedTile<T>>(work, film, stop);
     }
 }
 

@@ -31,7 +31,6 @@ class SceneRenderer final : public TileRenderer {
 
     ShadingScene<T> scene_;
     Settings settings_;
-    bool any_scatters_;  ///< rays may go on from surfaces
 };
 
 }  // namespace cobble::renderer

@@ -29,7 +29,7 @@ Face<T> face_at(const ShadingScene<T>& scene, const Ray<T>& ray, const Hit<T>& h
         const T along = ray.direction[hit.face / 2];
         return {index, hit.face % 2 == 1 ? along > T(0) : along < T(0)};
     }
-    const SurfacePoint<T> point = surface_at(scene.geometry, ray, hit);
+    const SurfacePoint<T> point = surface_at(scene.geometry, ray, hit, false);
     return {index, math::dot(ray.direction, point.geometric_normal) > T(0)};
 }
 

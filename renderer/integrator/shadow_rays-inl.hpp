@@ -28,15 +28,15 @@ using Askers = std::array<std::uint32_t, kBatchSize>;
 
 template <typename T>
 std::size_t shadow_rays_one_by_one(const HitColumns<T>& hits, const LightColumns<T>& answers,
-                                   std::size_t count, RayBatch<T>& rays, Askers& askers,
-                                   std::int32_t* slots) {
+                                   const ShadowColumns<T>& of_entries, std::size_t count,
+                                   RayBatch<T>& rays, Askers& askers, std::int32_t* slots) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (answers.matters[i] == 0) continue;
-        rays.origin.set(found, answers.from.at(i));
-        rays.direction.set(found, answers.way.at(i));
-        rays.t_max[found] = answers.t_max[i];
-        rays.outward[found] = answers.outward[i];
+        rays.origin.set(found, of_entries.from.at(i));
+        rays.direction.set(found, of_entries.way.at(i));
+        rays.t_max[found] = of_entries.t_max[i];
+        rays.outward[found] = of_entries.outward[i];
         slots[found] = hits.slot[i];
         askers[found++] = static_cast<std::uint32_t>(i);
     }
@@ -47,7 +47,8 @@ std::size_t shadow_rays_one_by_one(const HitColumns<T>& hits, const LightColumns
 
 /// What is written behind the rays found so far is never beyond the registers read.
 inline std::size_t shadow_rays_in_lanes(const HitColumns<float>& hits,
-                                        const LightColumns<float>& answers, std::size_t count,
+                                        const LightColumns<float>& answers,
+                                        const ShadowColumns<float>& of_entries, std::size_t count,
                                         RayBatch<float>& rays, Askers& askers,
                                         std::int32_t* slots) {
     const hn::CappedTag<float, 16> d;
@@ -73,10 +74,10 @@ inline std::size_t shadow_rays_in_lanes(const HitColumns<float>& hits,
         const auto keep_whole = [&](const std::int32_t* from, std::int32_t* to) HWY_ATTR {
             hn::StoreU(hn::Compress(hn::Load(di, from + at), matters), di, to + found);
         };
-        keep3(answers.from, rays.origin);
-        keep3(answers.way, rays.direction);
-        keep(answers.t_max, rays.t_max);
-        keep_whole(answers.outward, rays.outward);
+        keep3(of_entries.from, rays.origin);
+        keep3(of_entries.way, rays.direction);
+        keep(of_entries.t_max, rays.t_max);
+        keep_whole(of_entries.outward, rays.outward);
         keep_whole(hits.slot, slots);
         const auto entry = hn::Add(lane, hn::Set(di, static_cast<std::int32_t>(at)));
         hn::StoreU(hn::BitCast(du, hn::Compress(entry, matters)), du, askers.data() + found);
@@ -90,16 +91,17 @@ inline std::size_t shadow_rays_in_lanes(const HitColumns<float>& hits,
 template <typename T>
 std::size_t begin_shadow_rays(const SurfaceSlots<T>& of_slots, std::size_t slot_count,
                               const HitColumns<T>& hits, const LightColumns<T>& answers,
-                              std::size_t count, RayBatch<T>& rays, Askers& askers) {
+                              const ShadowColumns<T>& of_entries, std::size_t count,
+                              RayBatch<T>& rays, Askers& askers) {
     alignas(kColumnAlignment) std::int32_t slots[kBatchSize];
     std::size_t found = 0;
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (sizeof(T) == sizeof(float)) {
-        found = shadow_rays_in_lanes(hits, answers, count, rays, askers, slots);
+        found = shadow_rays_in_lanes(hits, answers, of_entries, count, rays, askers, slots);
     } else
 #endif
     {
-        found = shadow_rays_one_by_one(hits, answers, count, rays, askers, slots);
+        found = shadow_rays_one_by_one(hits, answers, of_entries, count, rays, askers, slots);
     }
     spread_column(of_slots.object, slot_count, slots, rays.object, 0, found);
     spread_column(of_slots.face, slot_count, slots, rays.face, 0, found);

@@ -14,7 +14,9 @@ template <typename T>
 bool SingleTile<T>::finish_sample(TileWork& work, StopCheck& stop) {
     const auto [x, y] = next_.place();
     const Sampler sampler(work.pass, x, y, next_.sample());
-    if (trace_.done()) begin_sample(*scene_, filter_, work.pass.centred, sampler, x, y, trace_);
+    if (trace_.done()) {
+        begin_sample(*scene_, filter_, work.pass.centred, sampler, x, y, trace_, work.counters);
+    }
     while (!trace_.done()) {
         if (stop(work.counters.box_tests + work.counters.primitive_tests)) return false;
         step(*scene_, sampler, trace_, work.counters);

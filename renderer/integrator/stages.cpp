@@ -18,7 +18,7 @@ bool is_zero(math::Vec3<T> v) {
 /// interpolated normal alone decides, as in the published programs.
 template <typename T>
 bool from_below(const ActiveEffects& effects, const SurfaceLook<T>& look, math::Vec3<T> to_light) {
-    return (effects.shadows && !(math::dot(look.geometric, to_light) > T(0))) ||
+    return (effects.shadows() && !(math::dot(look.geometric, to_light) > T(0))) ||
            (look.bent && !(math::dot(look.smooth, to_light) > T(0)));
 }
 
@@ -40,7 +40,9 @@ void follow(Offspring<T>& children, const TracedRay<T>& ray, const SurfacePoint<
 /// 0.5 of the surroundings in the mirror's direction, 0.5 of the surface's own colour; unlit.
 template <typename T>
 math::Vec3<T> environment_mapped(const ShadingScene<T>& scene, const Ray<T>& ray,
-                                 const PreparedMaterial<T>& material, const SurfaceLook<T>& look) {
+                                 const PreparedMaterial<T>& material, const SurfaceLook<T>& look,
+                                 Counters& counters) {
+    ++counters.cube_map_lookups;
     const math::Vec3<T> direction =
         keep_above(reflect(ray.direction, look.viewer_normal), look.viewer_geometric);
     const auto around = sample_cube_map(*scene.source, *material.cube_map, material.filter,
@@ -65,52 +67,94 @@ void count(Counters& counters, RayKind kind) {
     }
 }
 
-template <typename T>
-TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y) {
-    const CameraRay from_camera = scene.effects.depth_of_field
-                                      ? scene.camera.through_lens(x, y, sampler.draw(Draw::kLens))
-                                      : scene.camera.pinhole(x, y);
-    TracedRay<T> result;
-    result.ray.origin = scene.geometry.to_local(from_camera.origin);
-    result.ray.direction = from_camera.direction.template to<T>();
-    result.ray.time =
-        static_cast<T>(scene.effects.motion_blur ? scene.camera.time(sampler.draw(Draw::kTime).x)
-                                                 : scene.camera.time_open());
-    return result;
+template <RayStage kStage, typename T>
+Ray<T> camera_ray_as(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y) {
+    constexpr bool kLens = kStage == RayStage::kLens || kStage == RayStage::kLensAndTime;
+    constexpr bool kTime = kStage == RayStage::kTime || kStage == RayStage::kLensAndTime;
+    CameraRay from_camera;
+    if constexpr (kLens) {
+        from_camera = scene.camera.through_lens(x, y, sampler.draw(Draw::kLens));
+    } else {
+        from_camera = scene.camera.pinhole(x, y);
+    }
+    Ray<T> ray;
+    ray.origin = scene.geometry.to_local(from_camera.origin);
+    ray.direction = from_camera.direction.template to<T>();
+    if constexpr (kTime) {
+        ray.time = static_cast<T>(scene.camera.time(sampler.draw(Draw::kTime).x));
+    } else {
+        ray.time = static_cast<T>(scene.camera.time_open());
+    }
+    return ray;
 }
 
 template <typename T>
-void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met) {
+TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y,
+                        Counters& counters) {
+    count_draws(counters, scene.plan.rays, 1);
+    TracedRay<T> result;
+    switch (scene.plan.rays) {
+        case RayStage::kPinhole:
+            result.ray = camera_ray_as<RayStage::kPinhole>(scene, sampler, x, y);
+            break;
+        case RayStage::kLens:
+            result.ray = camera_ray_as<RayStage::kLens>(scene, sampler, x, y);
+            break;
+        case RayStage::kTime:
+            result.ray = camera_ray_as<RayStage::kTime>(scene, sampler, x, y);
+            break;
+        case RayStage::kLensAndTime:
+            result.ray = camera_ray_as<RayStage::kLensAndTime>(scene, sampler, x, y);
+            break;
+    }
+    return result;
+}
+
+template <SurfaceStage kStage, typename T>
+void meet_as(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met,
+             Counters& counters) {
     if (!met.hit) return;
-    met.point = surface_at(scene.geometry, ray, met.hit);
-    met.material = &scene.material(met.point.material);
-    met.look = look_at_surface(scene, *met.material, met.point, ray.direction);
-    if (!met.lit()) return;
-    if (scene.effects.highlights &&
+    const ir::MaterialId material = scene.source->objects[met.hit.object.value].material;
+    met.material = &scene.material(material);
+    // Texture coordinates and tangents cost more than all the rest of a surface.
+    constexpr bool kReadsUv = (kStage & (kSurfacePictures | kSurfaceBent)) != 0;
+    const bool want_uv = kReadsUv && met.material->reads_uv();
+    met.point = surface_at(scene.geometry, ray, met.hit, want_uv);
+    met.look = look_at_surface<kStage>(scene, *met.material, met.point, ray.direction, counters);
+    met.light = {};
+}
+
+template <typename T>
+void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met, Counters& counters) {
+    meet_as<kAnySurface>(scene, ray, met, counters);
+    if (met.lit() && scene.effects.highlights() &&
         has_highlight(met.material->specular, met.material->shininess)) {
         met.mirrored = reflect(ray.direction, met.look.normal);
     }
-    met.light = {};
 }
 
 template <typename T>
 LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
                            const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light,
-                           std::uint32_t number) {
+                           std::uint32_t number, Counters& counters) {
     const PreparedLight& source = scene.lights[light];
     const PreparedMaterial<T>& material = *met.material;
+    const bool area = scene.effects.soft_shadows() && source.has_size();
+    if (area) ++counters.light_draws;
     const LightSample<T> sample =
-        scene.effects.soft_shadows && source.has_size()
-            ? light_sample(source, met.point.position,
-                           sampler.draw(Draw::kLight, ray.path, light, number, source.samples))
-            : light_middle(source, met.point.position);
+        area ? light_sample(source, met.point.position,
+                            sampler.draw(Draw::kLight, ray.path, light, number, source.samples))
+             : light_middle(source, met.point.position);
+    const bool highlights =
+        scene.effects.highlights() && has_highlight(material.specular, material.shininess);
+    if (highlights) ++counters.highlights;
     LightQuestion<T> result;
     result.contribution =
         sample.intensity * phong(met.look.normal, sample.direction, met.mirrored, met.look.kd,
-                                 material.specular, material.shininess, scene.effects.highlights);
+                                 material.specular, material.shininess, highlights);
     if (from_below(scene.effects, met.look, sample.direction)) result.contribution = {};
     result.matters = !is_zero(result.contribution);
-    if (result.matters && scene.effects.shadows) {
+    if (result.matters && scene.effects.shadows()) {
         result.shadow = source.kind == ir::Light::Kind::kPoint
                             ? leave_toward(met.point, sample.target, ray.ray.time)
                             : leave(met.point, sample.direction, ray.ray.time);
@@ -119,16 +163,18 @@ LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
 }
 
 template <typename T>
-math::Vec3<T> sky_color(const ShadingScene<T>& scene, math::Vec3<T> direction) {
+math::Vec3<T> sky_color(const ShadingScene<T>& scene, math::Vec3<T> direction, Counters& counters) {
+    ++counters.cube_map_lookups;
     return sample_cube_map(*scene.source, *scene.sky, ir::TextureFilter::kBilinear,
                            direction.template to<double>())
         .template to<T>();
 }
 
 template <typename T>
-math::Vec3<T> color_of(const ShadingScene<T>& scene, const Ray<T>& ray, const Encounter<T>& met) {
-    if (!met.hit) return background(scene, ray.direction);
-    if (!met.lit()) return environment_mapped(scene, ray, *met.material, met.look);
+math::Vec3<T> color_of(const ShadingScene<T>& scene, const Ray<T>& ray, const Encounter<T>& met,
+                       Counters& counters) {
+    if (!met.hit) return background(scene, ray.direction, counters);
+    if (!met.lit()) return environment_mapped(scene, ray, *met.material, met.look, counters);
     return scene.ambient * met.look.kd + met.light;
 }
 
@@ -149,13 +195,13 @@ void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encoun
         through = refract(ray.ray.direction, look.viewer_normal, ray.index, index);
         reflectance = through.reflectance;
     }
-    if (scene.effects.reflection) {
+    if (scene.effects.reflection()) {
         const math::Vec3<T> mirrored =
             keep_above(reflect(ray.ray.direction, look.viewer_normal), look.viewer_geometric);
         follow(children, ray, met.point, RayKind::kReflected, mirrored, tint * reflectance,
                ray.index);
     }
-    if (scene.effects.refraction && see_through && !through.total) {
+    if (scene.effects.refraction() && see_through && !through.total) {
         const T index = look.leaving ? T(1) : material.refraction_index;
         follow(children, ray, met.point, RayKind::kRefracted,
                keep_above(through.direction, -look.viewer_geometric), tint * (T(1) - reflectance),
@@ -163,18 +209,38 @@ void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encoun
     }
 }
 
+#define COBBLE_RAYS(kStage, T) \
+    template Ray<T> camera_ray_as<kStage>(const ShadingScene<T>&, const Sampler&, double, double);
+#define COBBLE_MEET(kStage, T) \
+    template void meet_as<kStage>(const ShadingScene<T>&, const Ray<T>&, Encounter<T>&, Counters&);
 #define COBBLE_INSTANTIATE(T)                                                                    \
-    template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double);    \
-    template void meet(const ShadingScene<T>&, const Ray<T>&, Encounter<T>&);                    \
-    template math::Vec3<T> sky_color(const ShadingScene<T>&, math::Vec3<T>);                     \
+    COBBLE_RAYS(RayStage::kPinhole, T)                                                           \
+    COBBLE_RAYS(RayStage::kLens, T)                                                              \
+    COBBLE_RAYS(RayStage::kTime, T)                                                              \
+    COBBLE_RAYS(RayStage::kLensAndTime, T)                                                       \
+    COBBLE_MEET(0, T)                                                                            \
+    COBBLE_MEET(1, T)                                                                            \
+    COBBLE_MEET(2, T)                                                                            \
+    COBBLE_MEET(3, T)                                                                            \
+    COBBLE_MEET(4, T)                                                                            \
+    COBBLE_MEET(5, T)                                                                            \
+    COBBLE_MEET(6, T)                                                                            \
+    COBBLE_MEET(7, T)                                                                            \
+    template void meet(const ShadingScene<T>&, const Ray<T>&, Encounter<T>&, Counters&);         \
+    template TracedRay<T> camera_ray(const ShadingScene<T>&, const Sampler&, double, double,     \
+                                     Counters&);                                                 \
+    template math::Vec3<T> sky_color(const ShadingScene<T>&, math::Vec3<T>, Counters&);          \
     template LightQuestion<T> ask_light(const ShadingScene<T>&, const Sampler&,                  \
                                         const TracedRay<T>&, const Encounter<T>&, std::uint32_t, \
-                                        std::uint32_t);                                          \
-    template math::Vec3<T> color_of(const ShadingScene<T>&, const Ray<T>&, const Encounter<T>&); \
+                                        std::uint32_t, Counters&);                               \
+    template math::Vec3<T> color_of(const ShadingScene<T>&, const Ray<T>&, const Encounter<T>&,  \
+                                    Counters&);                                                  \
     template void scatter(const ShadingScene<T>&, const TracedRay<T>&, const Encounter<T>&,      \
                           Offspring<T>&);
 COBBLE_INSTANTIATE(float)
 COBBLE_INSTANTIATE(double)
 #undef COBBLE_INSTANTIATE
+#undef COBBLE_MEET
+#undef COBBLE_RAYS
 
 }  // namespace cobble::renderer

@@ -6,7 +6,8 @@
 //   meet, then for each light ask_light and a shadow ray, often as its `samples` say, then
 //   color_of, then scatter
 //
-// Stages neither allocate, lock nor throw, and change nothing but what they are handed.
+// Stages neither allocate, lock nor throw, and change nothing but what they are handed. Those that
+// have several forms are compiled once for each.
 #pragma once
 
 #include <array>
@@ -36,10 +37,18 @@ struct TracedRay {
     RayKind kind = RayKind::kCamera;
 };
 
-/// The first ray of a sample through (x, y) of the picture; draws lens and time if their effects
-/// are on.
+/// The first ray of a sample through (x, y) of the picture, as the plan's RayStage has it: draws
+/// lens and time, or neither.
+template <RayStage kStage, typename T>
+Ray<T> camera_ray_as(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y);
 template <typename T>
-TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y);
+TracedRay<T> camera_ray(const ShadingScene<T>& scene, const Sampler& sampler, double x, double y,
+                        Counters& counters);
+/// Of `rays` such rays.
+inline void count_draws(Counters& counters, RayStage stage, std::uint64_t rays) {
+    if (stage == RayStage::kLens || stage == RayStage::kLensAndTime) counters.lens_draws += rays;
+    if (stage == RayStage::kTime || stage == RayStage::kLensAndTime) counters.time_draws += rays;
+}
 
 /// What a ray met. All but `hit` means something only if there is one.
 template <typename T>
@@ -56,9 +65,14 @@ struct Encounter {
 };
 
 /// From `met.hit`, closest_hit()'s answer to `ray` behind seams that are none for light (see
-/// seams.hpp), to all the rest; no light has shone yet.
+/// seams.hpp), to all the rest but `mirrored`; no light has shone yet. The stage is the plan's, or
+/// any that includes it.
+template <SurfaceStage kStage, typename T>
+void meet_as(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met,
+             Counters& counters);
+/// By the most general stage, and `mirrored` too.
 template <typename T>
-void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met);
+void meet(const ShadingScene<T>& scene, const Ray<T>& ray, Encounter<T>& met, Counters& counters);
 
 /// What a light adds if nothing is in its way, and the ray that finds that out.
 template <typename T>
@@ -72,18 +86,20 @@ struct LightQuestion {
 template <typename T>
 LightQuestion<T> ask_light(const ShadingScene<T>& scene, const Sampler& sampler,
                            const TracedRay<T>& ray, const Encounter<T>& met, std::uint32_t light,
-                           std::uint32_t number);
+                           std::uint32_t number, Counters& counters);
 
 /// What the ray brings back by itself: of the surface under its lights, or of the background.
 template <typename T>
-math::Vec3<T> color_of(const ShadingScene<T>& scene, const Ray<T>& ray, const Encounter<T>& met);
+math::Vec3<T> color_of(const ShadingScene<T>& scene, const Ray<T>& ray, const Encounter<T>& met,
+                       Counters& counters);
 
 /// What a ray that meets nothing brings back.
 template <typename T>
-math::Vec3<T> sky_color(const ShadingScene<T>& scene, math::Vec3<T> direction);
+math::Vec3<T> sky_color(const ShadingScene<T>& scene, math::Vec3<T> direction, Counters& counters);
 template <typename T>
-math::Vec3<T> background(const ShadingScene<T>& scene, math::Vec3<T> direction) {
-    return scene.sky == nullptr ? scene.background : sky_color(scene, direction);
+math::Vec3<T> background(const ShadingScene<T>& scene, math::Vec3<T> direction,
+                         Counters& counters) {
+    return scene.sky == nullptr ? scene.background : sky_color(scene, direction, counters);
 }
 
 /// Rays that go on from a surface, reflected before refracted.

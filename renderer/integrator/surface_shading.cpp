@@ -15,20 +15,28 @@ math::Vec2d texture_point(const PreparedMaterial<T>& material, const SurfacePoin
             static_cast<double>(point.uv.y) * material.texture_scale.y};
 }
 
-template <typename T>
+/// A material is of a broken file, or noise, or a picture: each only if there are any.
+template <SurfaceStage kStage, typename T>
 math::Vec3<T> base_color(const ShadingScene<T>& scene, const PreparedMaterial<T>& material,
-                         const SurfacePoint<T>& point) {
+                         const SurfacePoint<T>& point, Counters& counters) {
     if (material.error_checker) {
         return (point.has_uv ? error_checker(texture_point(material, point)) : kErrorColor)
             .template to<T>();
     }
-    if (material.noise != nullptr) {
-        const math::Vec3d world = scene.geometry.to_world(point.position);
-        return marble_color(*material.noise, world).template to<T>();
+    if constexpr ((kStage & kSurfaceNoise) != 0 && compiled_in(ir::Effect::kNoise)) {
+        if (material.noise != nullptr) {
+            ++counters.noise_evaluations;
+            const math::Vec3d world = scene.geometry.to_world(point.position);
+            return marble_color(*material.noise, world).template to<T>();
+        }
     }
-    if (material.texture != nullptr && point.has_uv) {
-        return sample_texture(*material.texture, material.filter, texture_point(material, point))
-            .template to<T>();
+    if constexpr ((kStage & kSurfacePictures) != 0 && compiled_in(ir::Effect::kTextures)) {
+        if (material.texture != nullptr && point.has_uv) {
+            ++counters.texture_lookups;
+            return sample_texture(*material.texture, material.filter,
+                                  texture_point(material, point))
+                .template to<T>();
+        }
     }
     return material.diffuse;
 }
@@ -55,17 +63,21 @@ math::Vec3<T> bent_normal(const PreparedMaterial<T>& material, const SurfacePoin
 
 }  // namespace
 
-template <typename T>
+template <SurfaceStage kStage, typename T>
 SurfaceLook<T> look_at_surface(const ShadingScene<T>& scene, const PreparedMaterial<T>& material,
-                               const SurfacePoint<T>& point, math::Vec3<T> direction) {
+                               const SurfacePoint<T>& point, math::Vec3<T> direction,
+                               Counters& counters) {
     SurfaceLook<T> look;
-    look.kd = base_color(scene, material, point);
+    look.kd = base_color<kStage>(scene, material, point, counters);
     look.leaving = math::dot(direction, point.geometric_normal) > T(0);
 
     math::Vec3<T> normal = point.shading_normal;
-    if ((material.normal_map != nullptr || material.bump_map != nullptr) && point.has_uv) {
-        normal = bent_normal(material, point);
-        look.bent = !(normal == point.shading_normal);
+    if constexpr ((kStage & kSurfaceBent) != 0 && compiled_in(ir::Effect::kNormalMaps)) {
+        if (material.bends() && point.has_uv) {
+            ++counters.normal_map_lookups;
+            normal = bent_normal(material, point);
+            look.bent = !(normal == point.shading_normal);
+        }
     }
     const bool closed = point.kind == ir::ShapeKind::kSphere || point.kind == ir::ShapeKind::kBox;
     const bool flip = look.leaving && !closed;
@@ -77,11 +89,22 @@ SurfaceLook<T> look_at_surface(const ShadingScene<T>& scene, const PreparedMater
     return look;
 }
 
-template SurfaceLook<float> look_at_surface(const ShadingScene<float>&,
-                                            const PreparedMaterial<float>&,
-                                            const SurfacePoint<float>&, math::Vec3<float>);
-template SurfaceLook<double> look_at_surface(const ShadingScene<double>&,
-                                             const PreparedMaterial<double>&,
-                                             const SurfacePoint<double>&, math::Vec3<double>);
+#define COBBLE_LOOK(kStage, T)                                                                     \
+    template SurfaceLook<T> look_at_surface<kStage>(                                               \
+        const ShadingScene<T>&, const PreparedMaterial<T>&, const SurfacePoint<T>&, math::Vec3<T>, \
+        Counters&);
+#define COBBLE_INSTANTIATE(T) \
+    COBBLE_LOOK(0, T)         \
+    COBBLE_LOOK(1, T)         \
+    COBBLE_LOOK(2, T)         \
+    COBBLE_LOOK(3, T)         \
+    COBBLE_LOOK(4, T)         \
+    COBBLE_LOOK(5, T)         \
+    COBBLE_LOOK(6, T)         \
+    COBBLE_LOOK(7, T)
+COBBLE_INSTANTIATE(float)
+COBBLE_INSTANTIATE(double)
+#undef COBBLE_INSTANTIATE
+#undef COBBLE_LOOK
 
 }  // namespace cobble::renderer

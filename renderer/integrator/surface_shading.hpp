@@ -4,6 +4,7 @@
 
 #include "renderer/geometry/hit.hpp"
 #include "renderer/integrator/shading_scene.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::renderer {
 
@@ -21,9 +22,10 @@ struct SurfaceLook {
     bool bent = false;               ///< a map bent the normal
 };
 
-/// `direction` is the ray's, unit.
-template <typename T>
+/// `direction` is the ray's, unit. `kStage`: what the look of any surface may depend on.
+template <SurfaceStage kStage, typename T>
 SurfaceLook<T> look_at_surface(const ShadingScene<T>& scene, const PreparedMaterial<T>& material,
-                               const SurfacePoint<T>& point, math::Vec3<T> direction);
+                               const SurfacePoint<T>& point, math::Vec3<T> direction,
+                               Counters& counters);
 
 }  // namespace cobble::renderer

@@ -13,9 +13,9 @@ void shine(const ShadingScene<T>& scene, const Sampler& sampler, const TracedRay
     for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
         LightAtSurface<T> all{i, false, {}};
         for (std::uint32_t number = 0; number < scene.lights[i].samples; ++number) {
-            const LightQuestion<T> light = ask_light(scene, sampler, ray, met, i, number);
+            const LightQuestion<T> light = ask_light(scene, sampler, ray, met, i, number, counters);
             bool visible = light.matters;
-            if (visible && scene.effects.shadows) {
+            if (visible && scene.effects.shadows()) {
                 ++counters.shadow_rays;
                 visible =
                     !any_hit(scene.geometry, light.shadow.ray, light.shadow.exclude, counters);
@@ -33,7 +33,8 @@ void shine(const ShadingScene<T>& scene, const Sampler& sampler, const TracedRay
 
 template <typename T>
 void begin_sample(const ShadingScene<T>& scene, PixelFilter filter, bool centred,
-                  const Sampler& sampler, std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace) {
+                  const Sampler& sampler, std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace,
+                  Counters& counters) {
     math::Vec2d at{x + 0.5, y + 0.5};
     if (!centred) {
         const math::Vec2d offset = sample_filter(sampler.draw(Draw::kPixel), filter);
@@ -42,7 +43,7 @@ void begin_sample(const ShadingScene<T>& scene, PixelFilter filter, bool centred
     }
     trace.sample = {};
     trace.first_object = {};
-    trace.stack.push_back(camera_ray(scene, sampler, at.x, at.y));
+    trace.stack.push_back(camera_ray(scene, sampler, at.x, at.y, counters));
 }
 
 template <typename T>
@@ -68,9 +69,9 @@ Shaded<T> shade(const ShadingScene<T>& scene, const Sampler& sampler, const Trac
     count(counters, ray.kind);
     result.met.hit = closest_hit(scene.geometry, ray.ray, ray.exclude, counters);
     cross_seams(scene, ray.ray, result.met.hit);
-    meet(scene, ray.ray, result.met);
+    meet(scene, ray.ray, result.met, counters);
     if (result.met.lit()) shine(scene, sampler, ray, result.met, counters, seen);
-    result.color = color_of(scene, ray.ray, result.met);
+    result.color = color_of(scene, ray.ray, result.met, counters);
     scatter(scene, ray, result.met, result.children);
     return result;
 }
@@ -90,7 +91,7 @@ void step(const ShadingScene<T>& scene, const Sampler& sampler, SampleTrace<T>& 
 
 #define COBBLE_INSTANTIATE(T)                                                             \
     template void begin_sample(const ShadingScene<T>&, PixelFilter, bool, const Sampler&, \
-                               std::uint32_t, std::uint32_t, SampleTrace<T>&);            \
+                               std::uint32_t, std::uint32_t, SampleTrace<T>&, Counters&); \
     template void bring_back(SampleTrace<T>&, const TracedRay<T>&, math::Vec3<T>,         \
                              const Offspring<T>&);                                        \
     template Shaded<T> shade(const ShadingScene<T>&, const Sampler&, const TracedRay<T>&, \

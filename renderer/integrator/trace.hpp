@@ -39,7 +39,8 @@ std::size_t deepest_stack(const ShadingScene<T>& scene) {
 /// pixel's centre if `centred`, else where the filter says.
 template <typename T>
 void begin_sample(const ShadingScene<T>& scene, PixelFilter filter, bool centred,
-                  const Sampler& sampler, std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace);
+                  const Sampler& sampler, std::uint32_t x, std::uint32_t y, SampleTrace<T>& trace,
+                  Counters& counters);
 
 /// What the pictures beside the colour see of a sample: the hit of its first ray, if there is one.
 template <typename T>

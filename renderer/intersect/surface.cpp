@@ -176,7 +176,7 @@ Affined between(const ir::Scene& scene, const ir::Keys& keys, double time) {
 
 template <typename T>
 Local<T> on_plane(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit,
-                  const ir::Object& object) {
+                  const ir::Object& object, bool want_uv) {
     using W = Wide<T>;
     const auto& g = scene.geometry;
     const PlaneKey key = plane_at(g, g.planes[g.places[hit.object.value].index], ray.time);
@@ -186,7 +186,7 @@ Local<T> on_plane(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>
     // Back onto the plane along its normal.
     local.position = near - n * ((dot(n, near) - W(key.offset)) / dot(n, n));
     local.normal = key.normal;
-    if (scene.options.texture_coordinates) {
+    if (want_uv) {
         set_plane_uv(local, scene.source->planes[object.shape],
                      between(*scene.source, object.placement, double{ray.time}),
                      to_double(local.position) + scene.origin);
@@ -272,9 +272,8 @@ SurfacePoint<T> finish(const ir::Object& object, const Hit<T>& hit, const Local<
 
 template <typename T>
 SurfacePoint<T> on_instance(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit,
-                            const ir::Object& object, const Instance<T>& instance) {
+                            const ir::Object& object, const Instance<T>& instance, bool want_uv) {
     const auto& g = scene.geometry;
-    const bool want_uv = scene.options.texture_coordinates;
     const math::Affine<T> map = world_to_object_at(g, instance, ray.time);
     const auto to_object = map.template to<double>();
     Affined to_world = g.instance_keys[instance.first_key].object_to_world;
@@ -308,13 +307,16 @@ SurfacePoint<T> on_instance(const PreparedScene<T>& scene, const Ray<T>& ray, co
 }  // namespace
 
 template <typename T>
-SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit) {
+SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit,
+                           bool want_uv) {
     const ir::Scene& source = *scene.source;
     const ir::Object& object = source.objects[hit.object.value];
     const auto& g = scene.geometry;
     const auto place = g.places[hit.object.value];
-    const bool want_uv = scene.options.texture_coordinates;
-    if (place.instance) return on_instance(scene, ray, hit, object, g.instances[place.index]);
+    want_uv = want_uv && scene.options.texture_coordinates;
+    if (place.instance) {
+        return on_instance(scene, ray, hit, object, g.instances[place.index], want_uv);
+    }
     Local<T> local;
     switch (object.kind) {
         case ir::ShapeKind::kMesh:
@@ -342,7 +344,7 @@ SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, con
                            along(ray.origin, ray.direction, hit.t), want_uv);
             break;
         case ir::ShapeKind::kPlane:
-            local = on_plane(scene, ray, hit, object);
+            local = on_plane(scene, ray, hit, object, want_uv);
             break;
     }
     return finish(object, hit, local, nullptr, nullptr);
@@ -368,9 +370,10 @@ Departure<T> leave_toward(const SurfacePoint<T>& surface, math::Vec3<T> target, 
     return d;
 }
 
-#define COBBLE_INSTANTIATE(T)                                                                   \
-    template SurfacePoint<T> surface_at(const PreparedScene<T>&, const Ray<T>&, const Hit<T>&); \
-    template Departure<T> leave(const SurfacePoint<T>&, math::Vec3<T>, T);                      \
+#define COBBLE_INSTANTIATE(T)                                                                  \
+    template SurfacePoint<T> surface_at(const PreparedScene<T>&, const Ray<T>&, const Hit<T>&, \
+                                        bool);                                                 \
+    template Departure<T> leave(const SurfacePoint<T>&, math::Vec3<T>, T);                     \
     template Departure<T> leave_toward(const SurfacePoint<T>&, math::Vec3<T>, T);
 COBBLE_INSTANTIATE(float)
 COBBLE_INSTANTIATE(double)

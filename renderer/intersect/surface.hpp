@@ -10,10 +10,11 @@ namespace cobble::renderer {
 
 /// The surface at `hit`, an answer of closest_hit() to `ray`. The position is computed from the
 /// primitive, not from t, in twice the precision and rounded once: it is as close to the surface as
-/// numbers of type T are. Texture coordinates and tangents are filled only if the scene was
-/// prepared with them.
+/// numbers of type T are. Texture coordinates and tangents are filled only if they are wanted
+/// and the scene was prepared with them.
 template <typename T>
-SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit);
+SurfacePoint<T> surface_at(const PreparedScene<T>& scene, const Ray<T>& ray, const Hit<T>& hit,
+                           bool want_uv = true);
 
 /// A ray from a surface: starts off it, on the side that `direction` points to, by the bound
 /// stored with the point; never meets the same primitive again (see Exclude). t_min is 0.

@@ -63,7 +63,7 @@ PickTree pick_in(const ir::Scene& scene, const Settings& settings, std::uint32_t
     const Sampler sampler(pass, x, y, 0);
     Counters counters;
     SampleTrace<T> start;
-    begin_sample(shading, exact.filter, pass.centred, sampler, x, y, start);
+    begin_sample(shading, exact.filter, pass.centred, sampler, x, y, start, counters);
 
     PickTree tree;
     std::vector<math::Vec3d> tints;  // by node

@@ -11,6 +11,14 @@ Counters& Counters::operator+=(const Counters& other) {
     box_tests += other.box_tests;
     primitive_tests += other.primitive_tests;
     packet_rays += other.packet_rays;
+    lens_draws += other.lens_draws;
+    time_draws += other.time_draws;
+    light_draws += other.light_draws;
+    highlights += other.highlights;
+    texture_lookups += other.texture_lookups;
+    normal_map_lookups += other.normal_map_lookups;
+    noise_evaluations += other.noise_evaluations;
+    cube_map_lookups += other.cube_map_lookups;
     return *this;
 }
 

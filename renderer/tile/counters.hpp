@@ -6,7 +6,7 @@
 
 namespace cobble::renderer {
 
-/// Rays and tests, summed over all threads.
+/// Rays, tests, and what shading did, summed over all threads.
 struct Counters {
     std::uint64_t camera_rays = 0;
     std::uint64_t shadow_rays = 0;
@@ -15,6 +15,16 @@ struct Counters {
     std::uint64_t box_tests = 0;
     std::uint64_t primitive_tests = 0;
     std::uint64_t packet_rays = 0;  ///< searched in packets, once for each question
+
+    // What effects do beside rays: nothing, if they are off.
+    std::uint64_t lens_draws = 0;   ///< places on the lens
+    std::uint64_t time_draws = 0;   ///< moments of the shutter
+    std::uint64_t light_draws = 0;  ///< places on lights with a size
+    std::uint64_t highlights = 0;   ///< asked of a light at a surface that may have one
+    std::uint64_t texture_lookups = 0;
+    std::uint64_t normal_map_lookups = 0;  ///< surfaces with a normal map, a bump map or both
+    std::uint64_t noise_evaluations = 0;
+    std::uint64_t cube_map_lookups = 0;
 
     [[nodiscard]] std::uint64_t rays() const {
         return camera_rays + shadow_rays + reflected_rays + refracted_rays;

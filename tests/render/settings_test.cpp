@@ -92,6 +92,7 @@ TEST_CASE("every setting that changes pixels changes the fingerprint, each in it
 TEST_CASE("how a picture is made, and why an effect is on, leave the fingerprint alone") {
     const std::vector<Change> changes = {
         [](Settings& s) { s.acceleration = Acceleration::kBruteForce; },
+        [](Settings& s) { s.general_stages = true; },
         [](Settings& s) { s.tile_size = 8; },
         [](Settings& s) {
             s.crop = Crop{0, 0, 640, 480};
@@ -115,9 +116,9 @@ TEST_CASE("how a picture is made, and why an effect is on, leave the fingerprint
 // A field that is added makes this fail: decide whether it belongs in the fingerprint.
 TEST_CASE("no field of the settings is forgotten") {
     const auto& [width, height, crop, samples, light_samples, scrambles, goal, bounces, seed, salts,
-                 filter, precision, acceleration, tile_size, effects, texture_filter, compat,
-                 shard_index, shard_count, want_depth, want_normals, want_albedo,
-                 want_sample_count] = Settings{};
+                 filter, precision, acceleration, general_stages, tile_size, effects,
+                 texture_filter, compat, shard_index, shard_count, want_depth, want_normals,
+                 want_albedo, want_sample_count] = Settings{};
     const auto& [error, method, most_samples, shown_as_srgb] = ErrorGoal{};
     const auto& [shadows, jitter, tent, casting, pixelated, blurry, depth_min, depth_max] = compat;
     const bool as_they_are = width == 640 && !shadows && error == 0.01;
