@@ -5,16 +5,17 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "ir/effects.hpp"
+#include "renderer/integrator/render_plan.hpp"
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/usage.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/load.hpp"
-#include "tools/driver/report/positions.hpp"
-#include "tools/driver/text.hpp"
+#include "tools/driver/report/effects_report.hpp"
 
 namespace cobble {
 namespace {
@@ -24,8 +25,10 @@ constexpr std::size_t kPageWidth = 80;
 
 struct Options {
     bool listing = false;  ///< nothing is named
-    std::string subject;
-    std::string stdin_path;
+    ViewOptions view;      ///< its scene is whatever is named
+    bool json = false;
+    bool plan = false;
+    std::vector<std::string> of_scenes;  ///< options given that only a scene can be asked with
 };
 
 // `text` in lines of at most kPageWidth bytes where words allow it, each line indented. Paragraphs
@@ -90,56 +93,66 @@ int list_codes(Context& context) {
     return kDone;
 }
 
-std::string_view trimmed(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view() : line.substr(first);
+/// Where no ray may go on, effects that send rays on do nothing.
+void stop_at_once(ir::Effects& effects) {
+    for (const ir::Effect effect : {ir::Effect::kReflection, ir::Effect::kRefraction}) {
+        ir::EffectState& state = effects.states[static_cast<std::size_t>(effect)];
+        if (state.on) state = {false, {}, "no ray goes on: --bounces 0"};
+    }
 }
 
 int explain_scene(const Options& options, Context& context) {
-    const driver::LoadedScene loaded = driver::load_scene(options.subject, options.stdin_path, {});
+    ir::LowerOptions lower;
+    lower.compat = compat_of(options.view);
+    if (options.plan && lower.compat != ir::Compat::kNone) {
+        return usage_error("explain", "'--plan' is of Cobble's own way, not of '--compat'");
+    }
+    driver::LoadedScene loaded =
+        driver::load_scene(options.view.scene, options.view.stdin_path, lower);
     if (loaded.session == nullptr) {
         driver::complain(loaded.problem);
         return kFailure;
     }
     const bool broken = driver::has_errors(loaded.diagnostics);
     report_to_error(loaded, true);
-    const ir::Effects effects = ir::derive_effects(loaded.lowered.scene);
-    driver::Positions positions(loaded.session->sources);
-    for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
-        const auto effect = static_cast<ir::Effect>(i);
-        const ir::EffectState& state = effects.states[i];
-        context.out.write(
-            fmt::format("{:<16} {:<4} {}\n", ir::name_of(effect), state.on ? "on" : "off",
-                        state.on ? ir::description_of(effect) : std::string_view(state.reason)));
-        for (const source::Span cause : state.causes) {
-            if (!cause.valid()) continue;
-            const source::LineColumn at = positions.start(cause);
-            constexpr std::size_t kEnough = 60;
-            const std::string_view line =
-                trimmed(positions.lines(cause.source).line_text(at.line)).substr(0, kEnough);
-            context.out.write(fmt::format("    {}:{}:{}: {}\n",
-                                          driver::printable(positions.path(cause)), at.line,
-                                          at.column, driver::printable(line)));
-        }
-    }
+    std::string problem;
+    renderer::Settings settings;
+    settings.effects = choose_effects(loaded.lowered.scene, options.view, problem);
+    if (!problem.empty()) return usage_error("explain", problem);
+    settings.bounces = options.view.bounces;
+    if (settings.bounces == 0) stop_at_once(settings.effects);
+    if (options.view.precision == "double") settings.precision = renderer::Precision::kDouble;
+    std::optional<renderer::RenderPlan> plan;
+    if (options.plan) plan = renderer::plan_render(loaded.lowered.scene, settings);
+    const source::SourceMap& sources = loaded.session->sources;
+    const driver::EffectsReport report{
+        settings.effects, sources, sources.path(loaded.session->scene), plan ? &*plan : nullptr};
+    context.out.write(options.json ? driver::pretty(driver::effects_to_json(report))
+                                   : driver::effects_to_text(report));
     return broken ? kFindings : kDone;
 }
 
 int run(const Options& options, Context& context) {
-    if (!stdin_path_is_used("explain", options.stdin_path, {options.subject})) return kFailure;
+    const std::string& subject = options.view.scene;
+    if (!stdin_path_is_used("explain", options.view.stdin_path, {subject})) return kFailure;
+    const auto* const code = options.listing ? nullptr : source::find_code(subject);
+    if ((options.listing || code != nullptr) && !options.of_scenes.empty()) {
+        return usage_error("explain", fmt::format("'{}' is for a scene, not for diagnostics",
+                                                  options.of_scenes.front()));
+    }
     if (options.listing) return list_codes(context);
-    if (options.subject.empty()) {
+    if (subject.empty()) {
         return usage_error("explain", "CODE|SCENE wants a code or a file, not ''");
     }
-    if (const auto* code = source::find_code(options.subject)) return explain_code(*code, context);
-    if (options.subject != "-" && access(options.subject.c_str(), F_OK) != 0) {
-        const std::string similar = similar_code(options.subject);
+    if (code != nullptr) return explain_code(*code, context);
+    if (subject != "-" && access(subject.c_str(), F_OK) != 0) {
+        const std::string similar = similar_code(subject);
         // With a slash or a dot it was meant as a file.
-        const bool file = options.subject.find_first_of("/.") != std::string::npos;
-        driver::complain(file && similar.empty()
-                             ? fmt::format("cannot read {}: there is no such file", options.subject)
-                             : fmt::format("there is neither a diagnostic nor a file '{}'{}",
-                                           options.subject, similar));
+        const bool file = subject.find_first_of("/.") != std::string::npos;
+        driver::complain(
+            file && similar.empty()
+                ? fmt::format("cannot read {}: there is no such file", subject)
+                : fmt::format("there is neither a diagnostic nor a file '{}'{}", subject, similar));
         return kFailure;
     }
     return explain_scene(options, context);
@@ -152,12 +165,23 @@ void add_explain(CLI::App& app, Context& context) {
     CLI::App* sub = app.add_subcommand(
         "explain", "Explain a diagnostic, or what a scene calls for from its renderer");
     const CLI::Option* subject =
-        sub->add_option("CODE|SCENE", options->subject,
+        sub->add_option("CODE|SCENE", options->view.scene,
                         "A code such as unexpected-argument, or a scene file (./FILE is always a "
                         "file); nothing lists all codes");
-    add_stdin_path(*sub, options->stdin_path);
-    sub->callback([options, subject, &context] {
+    add_stdin_path(*sub, options->view.stdin_path);
+    const std::size_t of_both = sub->get_options().size();
+    sub->add_flag("--json", options->json, "Print JSON");
+    sub->add_flag("--plan", options->plan,
+                  "Say how it would be rendered: the form of each stage, and the memory for it");
+    add_choice(*sub, "--compat", options->view.compat, {"a4", "a5", "fa2016", "project"},
+               "What it calls for from a published program: a4, a5, fa2016 or project");
+    add_effect_options(*sub, options->view);
+    sub->callback([options, sub, subject, of_both, &context] {
         options->listing = subject->count() == 0;
+        const std::vector<CLI::Option*> all = sub->get_options();
+        for (std::size_t i = of_both; i < all.size(); ++i) {
+            if (all[i]->count() > 0) options->of_scenes.push_back(all[i]->get_name());
+        }
         context.run = [options, &context] { return run(*options, context); };
     });
 }

@@ -33,27 +33,12 @@ std::string_view verb_of(std::string_view command) {
     return command == "pick" ? "picks from" : "renders";
 }
 
-ir::Compat compat_of(std::string_view name) {
+ir::Compat compat_named(std::string_view name) {
     if (name == "a4") return ir::Compat::kA4;
     if (name == "a5") return ir::Compat::kA5;
     if (name == "fa2016") return ir::Compat::kFa2016;
     if (name == "project") return ir::Compat::kProject;
     return ir::Compat::kNone;
-}
-
-ir::Effects choose_effects(const ir::Scene& scene, const ViewOptions& options, ir::Compat compat) {
-    ir::Effects effects = ir::derive_effects(scene);
-    std::array<int, ir::kEffectCount> wanted = options.effects;
-    const auto shadows = static_cast<std::size_t>(ir::Effect::kShadows);
-    if (compat != ir::Compat::kNone && wanted[shadows] == 0) {
-        wanted[shadows] = options.original_shadows ? 1 : -1;
-    }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        ir::EffectState& state = effects.states[i];
-        if (wanted[i] > 0 && !state.on) state = {true, {}, "asked for"};
-        if (wanted[i] < 0 && state.on) state = {false, {}, "switched off"};
-    }
-    return effects;
 }
 
 // What was asked of Cobble's own way, in vain where a published program's is followed.
@@ -145,14 +130,32 @@ void add_compat_options(CLI::App& sub, ViewOptions& options) {
     require_number(sub.add_option("--original-blurry", options.original_blurry), 0)->group(hidden);
 }
 
-void add_view_options(CLI::App& sub, ViewOptions& options) {
-    sub.add_option("SCENE", options.scene, "The scene file, or - for standard input")->required();
-    add_size_option(sub, options);
+void add_effect_options(CLI::App& sub, ViewOptions& options) {
     require_whole(sub.add_option("--bounces", options.bounces,
                                  "How often a ray may be reflected or refracted"),
                   0, kMaxBounces)
         ->type_name("N")
         ->capture_default_str();
+    add_choice(sub, "--precision", options.precision, {"float", "double"}, "float or double");
+    require_number(
+        sub.add_option("--aperture", options.aperture, "Diameter of the lens; 0 is a pinhole"), 0)
+        ->type_name("A");
+    require_above(sub.add_option("--focus-distance", options.focus_distance,
+                                 "What is in focus is this far away"),
+                  0)
+        ->type_name("D");
+    for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
+        const auto effect = static_cast<ir::Effect>(i);
+        const std::string flags = fmt::format("--{0},!--no-{0}", ir::name_of(effect));
+        sub.add_flag(flags, options.effects[i], std::string(ir::description_of(effect)))
+            ->disable_flag_override()
+            ->group("Effects (each is on where the scene calls for it)");
+    }
+}
+
+void add_view_options(CLI::App& sub, ViewOptions& options) {
+    sub.add_option("SCENE", options.scene, "The scene file, or - for standard input")->required();
+    add_size_option(sub, options);
     require_whole(sub.add_option("--samples", options.samples, "Samples a pixel"), 1, kMaxSamples)
         ->type_name("N")
         ->capture_default_str();
@@ -165,29 +168,43 @@ void add_view_options(CLI::App& sub, ViewOptions& options) {
                   std::numeric_limits<std::uint64_t>::max())
         ->type_name("N")
         ->capture_default_str();
-    add_choice(sub, "--precision", options.precision, {"float", "double"}, "float or double");
     add_choice(sub, "--transfer", options.transfer, {"none", "srgb"},
                "none: work with display values as they are; srgb: decode pictures, work with "
                "light, encode the result");
     add_choice(sub, "--texture-filter", options.texture_filter, {"nearest", "bilinear"},
                "nearest or bilinear, whatever the materials say");
-    require_number(
-        sub.add_option("--aperture", options.aperture, "Diameter of the lens; 0 is a pinhole"), 0)
-        ->type_name("A");
-    require_above(sub.add_option("--focus-distance", options.focus_distance,
-                                 "What is in focus is this far away"),
-                  0)
-        ->type_name("D");
     sub.add_flag("--keep-going", options.keep_going,
                  "Render a scene with errors: what is broken is left out or shown in magenta");
     add_stdin_path(sub, options.stdin_path);
+    add_effect_options(sub, options);
+}
+
+ir::Compat compat_of(const ViewOptions& options) { return compat_named(options.compat); }
+
+ir::Effects choose_effects(ir::Scene& scene, const ViewOptions& options, std::string& problem) {
+    const bool own_lens = scene.camera.aperture > 0;
+    problem = set_lens(options, scene.camera);
+    ir::Effects effects = ir::derive_effects(scene);
+    ir::EffectState& lens = effects.states[static_cast<std::size_t>(ir::Effect::kDepthOfField)];
+    if (lens.on && !own_lens) lens = {true, {}, "asked for: --aperture"};
+    if (!lens.on && own_lens) lens = {false, {}, "switched off: --aperture 0"};
     for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
-        const auto effect = static_cast<ir::Effect>(i);
-        const std::string flags = fmt::format("--{0},!--no-{0}", ir::name_of(effect));
-        sub.add_flag(flags, options.effects[i], std::string(ir::description_of(effect)))
-            ->disable_flag_override()
-            ->group("Effects (each is on where the scene calls for it)");
+        ir::EffectState& state = effects.states[i];
+        const auto name = ir::name_of(static_cast<ir::Effect>(i));
+        const int wanted = options.effects[i];
+        if (wanted > 0 && !state.on) state = {true, {}, fmt::format("asked for: --{}", name)};
+        if (wanted < 0 && state.on) state = {false, {}, fmt::format("switched off: --no-{}", name)};
     }
+    ir::EffectState& shadows = effects.states[static_cast<std::size_t>(ir::Effect::kShadows)];
+    const bool said = options.effects[static_cast<std::size_t>(ir::Effect::kShadows)] != 0;
+    if (compat_of(options) != ir::Compat::kNone && !said) {
+        if (options.original_shadows && !shadows.on) shadows = {true, {}, "asked for: -shadows"};
+        if (!options.original_shadows && shadows.on) {
+            shadows = {
+                false, {}, fmt::format("off with --compat {} unless asked for", options.compat)};
+        }
+    }
+    return effects;
 }
 
 void report_to_error(const driver::LoadedScene& loaded, bool errors_only) {
@@ -212,7 +229,7 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
         view.status = kFailure;
         return view;
     }
-    view.compat = compat_of(options.compat);
+    view.compat = compat_of(options);
     ir::LowerOptions lower;
     lower.compat = view.compat;
     lower.casting = options.original_casting;
@@ -237,11 +254,13 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
         return view;
     }
     ir::Scene& scene = view.loaded.lowered.scene;
-    if (std::string problem = set_lens(options, scene.camera); !problem.empty()) {
+    std::string problem;
+    renderer::Settings& settings = view.settings;
+    settings.effects = choose_effects(scene, options, problem);
+    if (!problem.empty()) {
         view.status = usage_error(command, problem);
         return view;
     }
-    renderer::Settings& settings = view.settings;
     settings.width = options.size.width;
     settings.height = options.size.height;
     settings.crop = options.crop;
@@ -255,7 +274,6 @@ View make_view(std::string_view command, const ViewOptions& options, bool quiet)
     if (options.texture_filter == "bilinear") {
         settings.texture_filter = ir::TextureFilter::kBilinear;
     }
-    settings.effects = choose_effects(scene, options, view.compat);
     set_compat(options, view);
     return view;
 }

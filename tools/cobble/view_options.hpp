@@ -51,6 +51,10 @@ struct ViewOptions {
 
 void add_view_options(CLI::App& sub, ViewOptions& options);
 
+/// Those among them that decide what is simulated: each effect by its name, lens, bounces,
+/// precision.
+void add_effect_options(CLI::App& sub, ViewOptions& options);
+
 /// --compat and what the original programs' spellings become.
 void add_compat_options(CLI::App& sub, ViewOptions& options);
 
@@ -68,6 +72,12 @@ struct View {
 /// Loads the scene and says on standard error what is wrong with it: all of it, or with `quiet`
 /// only what stops the render. `command` is whose options they are.
 View make_view(std::string_view command, const ViewOptions& options, bool quiet);
+
+ir::Compat compat_of(const ViewOptions& options);
+
+/// What to simulate of a scene: what it calls for, and what the options say. The camera gets their
+/// lens first; `problem` is what is wrong with it, or "".
+ir::Effects choose_effects(ir::Scene& scene, const ViewOptions& options, std::string& problem);
 
 /// Writes the findings for people to standard error.
 void report_to_error(const driver::LoadedScene& loaded, bool errors_only);
