@@ -24,7 +24,8 @@ std::vector<Hit<T>> first_hits(const ir::Scene& scene, Settings settings) {
     std::vector<Hit<T>> hits;
     for (std::uint32_t y = window.y0; y < window.y1; ++y) {
         for (std::uint32_t x = window.x0; x < window.x1; ++x) {
-            const auto ray = camera_ray(shading, Sampler(0, x, y, 0), x + 0.5, y + 0.5).ray;
+            const Ray<T> ray =
+                camera_ray_as<RayStage::kPinhole>(shading, Sampler(0, x, y, 0), x + 0.5, y + 0.5);
             hits.push_back(closest_hit(shading.geometry, ray, {}, counters));
         }
     }

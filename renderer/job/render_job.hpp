@@ -55,11 +55,12 @@ class RenderJob {
     [[nodiscard]] virtual Stats stats() const = 0;
     /// By scramble, of a render of several; null of another.
     [[nodiscard]] virtual const ScrambleSums* sums() const = 0;
-    /// What is done, as bytes that resume_render() goes on from: the pixels that are finished in this
-    /// pass, the sums of those before it, and what was counted. Pixels on their way are no part of
-    /// it; nor, of a published program's picture, is a tile on its way in which a sample came out as
-    /// no number, lest that be counted twice. Between steps only. Some 12 bytes for each pixel done,
-    /// 44 with all extra pictures; for each pixel those of ScrambleSums in several passes.
+    /// What is done, as bytes that resume_render() goes on from: the pixels that are finished in
+    /// this pass, the sums of those before it, and what was counted. Pixels on their way are no
+    /// part of it; nor, of a published program's picture, is a tile on its way in which a sample
+    /// came out as no number, lest that be counted twice. Between steps only. Some 12 bytes for
+    /// each pixel done, 44 with all extra pictures; for each pixel those of ScrambleSums in several
+    /// passes.
     [[nodiscard]] virtual std::string state() const = 0;
 };
 
@@ -74,8 +75,8 @@ struct Resumed {
 
 /// The same, from where a job was whose state() this is. The picture is the one that it would have
 /// become without the interruption, to the bit, whatever the threads, tiles and acceleration before
-/// and after. Bytes that are no state of such a job are refused; that they are of the same scene and
-/// settings, and unchanged, is for whoever kept them to see to.
+/// and after. Bytes that are no state of such a job are refused; that they are of the same scene
+/// and settings, and unchanged, is for whoever kept them to see to.
 Resumed resume_render(const ir::Scene& scene, const Settings& settings, Scheduler& scheduler,
                       std::string_view state);
 

@@ -50,7 +50,7 @@ struct TileWork {
     std::uint64_t samples_done = 0;
     Counters counters;
     std::uint64_t bad_sample_count = 0;
-    std::uint64_t bad_of_done = 0;  ///< those of pixels that are done, by end_pixels()
+    std::uint64_t bad_of_done = 0;       ///< those of pixels that are done, by end_pixels()
     std::vector<BadSample> bad_samples;  ///< the first kBadSamplesKept of the tile, in their order
 
     static constexpr std::size_t kBadSamplesKept = 16;

@@ -12,8 +12,9 @@ namespace cobble::driver {
 /// to the disk, given the old file's permissions and owner, then renamed over it. Symbolic links
 /// are followed, so that the link stays and its target changes. On failure the old file is as it
 /// was and nothing is left behind; where files can be without a name (Linux's O_TMPFILE), not even
-/// by a kill, but for the instant between naming and renaming. Character devices and open descriptors (/dev/null, /dev/stdout)
-/// are written to; whatever else is no regular file (a named pipe) is a failure.
+/// by a kill, but for the instant between naming and renaming. Character devices and open
+/// descriptors (/dev/null, /dev/stdout) are written to; whatever else is no regular file (a named
+/// pipe) is a failure.
 ///
 /// Gives "" or what went wrong, as "cannot write PATH: REASON".
 std::string write_file(const std::string& path, std::string_view bytes);
