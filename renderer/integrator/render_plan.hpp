@@ -48,7 +48,7 @@ enum class ScatterStage : std::uint8_t { kNone, kReflect, kRefract, kReflectAndR
 /// What a ray sees that meets nothing.
 enum class MissStage : std::uint8_t { kColor, kCubeMap };
 
-/// COBBLE_COLUMNS(id, name, need): columns of a batch; `need` ends "not needed: ...".
+/// COBBLE_COLUMNS(id, name, why_none): columns of a batch; the last one says why there are none.
 #define COBBLE_COLUMN_GROUPS(COBBLE_COLUMNS)                                              \
     COBBLE_COLUMNS(kRays, "rays and hits", "rays are followed one by one")                \
     COBBLE_COLUMNS(kSurfaces, "surfaces", "rays are followed one by one")                 \
@@ -61,7 +61,7 @@ enum class MissStage : std::uint8_t { kColor, kCubeMap };
     COBBLE_COLUMNS(kRefracted, "refracted rays", "no ray is refracted")
 
 enum class ColumnGroup : std::uint8_t {
-#define COBBLE_COLUMNS(id, name, need) id,
+#define COBBLE_COLUMNS(id, name, why_none) id,
     COBBLE_COLUMN_GROUPS(COBBLE_COLUMNS)
 #undef COBBLE_COLUMNS
         kCount_
