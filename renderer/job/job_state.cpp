@@ -31,11 +31,7 @@ constexpr NamedPlane kPlanes[] = {{"color", &Picture::color},
                                   {"albedo", &Picture::albedo},
                                   {"sample-count", &Picture::sample_count}};
 
-/// In the order of the bytes.
-constexpr std::uint64_t Counters::*kCounters[] = {
-    &Counters::camera_rays,    &Counters::shadow_rays, &Counters::reflected_rays,
-    &Counters::refracted_rays, &Counters::box_tests,   &Counters::primitive_tests,
-    &Counters::packet_rays};
+/// Counters come before them.
 constexpr double JobTally::*kTimes[] = {&JobTally::seconds, &JobTally::render_seconds,
                                         &JobTally::render_processor_seconds};
 

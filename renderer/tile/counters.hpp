@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 
 namespace cobble::renderer {
 
@@ -32,5 +33,15 @@ struct Counters {
     [[nodiscard]] std::uint64_t tests() const { return box_tests + primitive_tests; }
     Counters& operator+=(const Counters& other);
 };
+
+/// All of them, in their order.
+inline constexpr std::uint64_t Counters::*kCounters[] = {
+    &Counters::camera_rays,        &Counters::shadow_rays,       &Counters::reflected_rays,
+    &Counters::refracted_rays,     &Counters::box_tests,         &Counters::primitive_tests,
+    &Counters::packet_rays,        &Counters::lens_draws,        &Counters::time_draws,
+    &Counters::light_draws,        &Counters::highlights,        &Counters::texture_lookups,
+    &Counters::normal_map_lookups, &Counters::noise_evaluations, &Counters::cube_map_lookups};
+static_assert(sizeof(Counters) == std::size(kCounters) * sizeof(std::uint64_t),
+              "a counter is missing in the list");
 
 }  // namespace cobble::renderer
