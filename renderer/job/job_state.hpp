@@ -23,16 +23,18 @@ struct JobTally {
     double seconds = 0, render_seconds = 0, render_processor_seconds = 0;
 };
 
+/// The film's, of a job of several passes.
+struct SumsState {
+    std::uint32_t scrambles = 0;
+    bool squares = false;
+    std::vector<std::uint8_t> bytes;  ///< ScrambleSums::bytes()
+};
+
 struct JobState {
     Picture planes;                  ///< of a job that keeps no sums
     std::vector<std::uint8_t> done;  ///< by pixel, row by row: 0 if it is not done in this pass
     std::vector<std::uint8_t> plan;  ///< PassPlan::bytes(), at this pass
-    struct Sums {
-        std::uint32_t scrambles = 0;
-        bool squares = false;
-        std::vector<std::uint8_t> bytes;  ///< ScrambleSums::bytes()
-    };
-    std::optional<Sums> sums;
+    std::optional<SumsState> sums;
     JobTally tally;
 };
 

@@ -74,9 +74,10 @@ Stopped render_with_stops(const ir::Scene& scene, const renderer::Settings& sett
 int check_stops(const ir::Scene& scene, const renderer::Settings& s, std::uint64_t seed) {
     const Rendered whole = render(scene, s);
     SplitMix64 random(seed);
-    const auto [stopped, stops] = render_with_stops(scene, s, random);
+    const Stopped result = render_with_stops(scene, s, random);
+    const Rendered& stopped = result.rendered;
     CAPTURE(seed);
-    CAPTURE(stops);
+    CAPTURE(result.stops);
     CHECK(stopped.picture.complete);
     CHECK(same(stopped.picture, whole.picture));
     CHECK(stopped.stats.bad_sample_count == whole.stats.bad_sample_count);
@@ -89,7 +90,7 @@ int check_stops(const ir::Scene& scene, const renderer::Settings& s, std::uint64
         CHECK(stopped.stats.achieved->samples == whole.stats.achieved->samples);
         CHECK(stopped.stats.achieved->beyond_goal == whole.stats.achieved->beyond_goal);
     }
-    return stops;
+    return result.stops;
 }
 
 /// Nothing in it reflects.

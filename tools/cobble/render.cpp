@@ -121,6 +121,10 @@ class Render {
                 return fmt::format("'{}' means nothing without '--checkpoint FILE'", option);
             }
         }
+        if (options_.checkpoint.resume && options_.accuracy.budget > 0) {
+            return "'--resume' does not go with '--budget', which would choose other samples: give "
+                   "those that the first run printed";
+        }
         if (crop && (crop->x0 >= view.size.width || crop->y0 >= view.size.height)) {
             return "'--crop' lies outside the picture of " + to_text(view.size);
         }

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Kills renders at random moments, and goes on with each until it is done: the picture is then that
-# of a render that nobody killed. COBBLE_KILLS says how many kills there are, COBBLE_KILL_SAMPLES how
-# long a render is.
-import glob, hashlib, os, random, subprocess, sys, time
+# of a render that nobody killed. COBBLE_KILLS says how many kills there are, COBBLE_KILL_OPTIONS what
+# samples the render takes.
+import hashlib, os, random, subprocess, sys, time
 
-VIEW = ["good.scene", "--size", "96x72", "--samples", os.environ.get("COBBLE_KILL_SAMPLES", "300"),
-        "--quiet"]
+VIEW = ["good.scene", "--size", "96x72", "--quiet",
+        *os.environ.get("COBBLE_KILL_OPTIONS", "--samples 300").split()]
 EXTRA = ["--depth", "depth.pfm", "--normals", "normals.pfm"]
 PICTURES = ["color.pfm", "depth.pfm", "normals.pfm"]
 kills = int(os.environ.get("COBBLE_KILLS", "12"))
