@@ -97,10 +97,11 @@ TEST_CASE("chart: sentences are broken at spaces") {
 
 TEST_CASE("chart: logarithmic axes label decades, and digits between where these are few") {
     CHECK(log_labels(0.001, 100) == "0.001 | 0.01 | 0.1 | 1 | 10 | 100");
+    CHECK(log_labels(0.01, 1) == "0.01 | 0.02 | 0.05 | 0.1 | 0.2 | 0.5 | 1");
     CHECK(log_labels(0.02, 0.04) == "0.01 | 0.02 | 0.05 | 0.1");
     CHECK(log_labels(1e-9, 1e-5) == "10⁻⁹ | 10⁻⁸ | 10⁻⁷ | 10⁻⁶ | 10⁻⁵");
     CHECK(log_labels(3e-7, 4e-7) == "10⁻⁷ | 2×10⁻⁷ | 5×10⁻⁷ | 10⁻⁶");
-    CHECK(log_labels(1e5, 1e7) == "100000 | 10⁶ | 10⁷");
+    CHECK(log_labels(1e5, 1e8) == "100000 | 10⁶ | 10⁷ | 10⁸");
     CHECK(log_labels(1e-300, 1e300) == "10⁻²⁵⁵ | 10⁻¹⁷⁰ | 10⁻⁸⁵ | 1 | 10⁸⁵ | 10¹⁷⁰ | 10²⁵⁵");
     CHECK(!log_labels(5e-324, 5e-324).empty());
     CHECK(!log_labels(std::numeric_limits<double>::max(), 1e308).empty());
@@ -195,6 +196,15 @@ TEST_CASE("chart: a label beside a point alone is to its right") {
     // Without room there is none.
     const Surroundings narrow{{0, 0, 30, 300}, {}, {}};
     CHECK(!place_labels(requests, narrow)[0].placed);
+}
+
+TEST_CASE("chart: a label is no nearer to another point than to its own") {
+    // To the right there is room, but beside the other point.
+    const std::array requests{LabelRequest{{100, 100}, 40, 14}};
+    const Surroundings around{{0, 0, 400, 300}, {{95, 95, 105, 105}, {149, 95, 159, 105}}, {}};
+    const auto places = place_labels(requests, around);
+    REQUIRE(places[0].placed);
+    CHECK(places[0].box.x1 < 140);
 }
 
 TEST_CASE("chart: segments and boxes") {

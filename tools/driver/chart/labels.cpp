@@ -20,6 +20,8 @@ constexpr Point kWays[] = {{1, 0},    {1, -1},  {1, 1},    {-1, 1},   {-1, 0},  
 // worse than a line through a label.
 constexpr int kCrossedLine = 40;
 constexpr int kCrossedLeader = 100;
+// One that is nearer to another point may be read as that one's.
+constexpr int kMistakable = 60;
 constexpr int kRing = 8;
 
 Box box_at(const LabelRequest& request, Point way, double distance) {
@@ -37,6 +39,17 @@ Point nearest(const Box& box, Point point) {
     return {std::clamp(point.x, box.x0, box.x1), std::clamp(point.y, box.y0, box.y1)};
 }
 
+double squared_distance(const Box& box, Point point) {
+    const Point near = nearest(box, point);
+    const double dx = near.x - point.x;
+    const double dy = near.y - point.y;
+    return dx * dx + dy * dy;
+}
+
+bool contains(const Box& box, Point point) {
+    return point.x >= box.x0 && point.x <= box.x1 && point.y >= box.y0 && point.y <= box.y1;
+}
+
 class Placer {
   public:
     explicit Placer(const Surroundings& around) : around_(around) {}
@@ -52,7 +65,7 @@ class Placer {
                 const int cost = ring * kRing + order++;
                 if (best.placed && cost >= least) continue;
                 if (!is_free(place)) continue;
-                const int whole = cost + crossings(place);
+                const int whole = cost + crossings(place) + mistakes(place);
                 if (best.placed && whole >= least) continue;
                 best = place;
                 least = whole;
@@ -101,6 +114,20 @@ class Placer {
             if (meets(leader, about)) cost += kCrossedLeader;
         }
         return cost;
+    }
+
+    // Of marks that its own point lies in nothing can be told apart.
+    [[nodiscard]] int mistakes(const LabelPlace& place) const {
+        const Point own = place.leader_line.from;
+        const double distance = squared_distance(place.box, own);
+        return std::any_of(around_.marks.begin(), around_.marks.end(),
+                           [&](const Box& mark) {
+                               const Point middle{(mark.x0 + mark.x1) / 2, (mark.y0 + mark.y1) / 2};
+                               return !contains(mark, own) &&
+                                      squared_distance(place.box, middle) < distance;
+                           })
+                   ? kMistakable
+                   : 0;
     }
 
     const Surroundings& around_;

@@ -30,8 +30,9 @@ struct Surroundings {
 };
 
 /// One place for each request, in order; the first has the first choice. Labels and marks never
-/// overlap; lines are crossed as rarely, and points as near, as a greedy choice among places around
-/// each point gives. Costs the number of requests times some hundred places times what lies about.
+/// overlap; lines are crossed as rarely, and labels as near to their points and no nearer to
+/// others, as a greedy choice among places around each point gives. Costs the number of requests
+/// times some hundred places times what lies about.
 std::vector<LabelPlace> place_labels(std::span<const LabelRequest> requests,
                                      const Surroundings& around);
 

@@ -17,6 +17,8 @@ constexpr double kLn10 = 2.302585092994046;
 constexpr double kRoom = 0.06;
 // Labels beyond so many would touch.
 constexpr int kMostDecades = 8;
+// Up to so many, there is room for two labels between.
+constexpr int kFewDecades = 3;
 // Lines at all decades between are a grey haze beyond so many a label.
 constexpr int kMostBetween = 4;
 constexpr double kMostShareTicks = 8;
@@ -85,7 +87,8 @@ std::vector<Tick> LogScale::ticks() const {
         for (int digit = 1; digit <= (every > 1 ? 1 : 9); ++digit) {
             const double at = exponent + log10_of(digit);
             if (at < low_ - kSlack || at > high_ + kSlack) continue;
-            const bool labelled = digit == 1 ? counted : decades < 3 && (digit == 2 || digit == 5);
+            const bool labelled =
+                digit == 1 ? counted : decades <= kFewDecades && (digit == 2 || digit == 5);
             ticks.push_back({std::clamp((at - low_) / (high_ - low_), 0.0, 1.0),
                              labelled ? power_text(digit, exponent) : ""});
         }

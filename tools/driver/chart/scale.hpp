@@ -13,8 +13,8 @@ struct Tick {
     std::string label;  ///< empty for the ticks between
 };
 
-/// A logarithmic axis over positive numbers. Ticks are labelled at decades, at 1, 2 and 5 where
-/// fewer than three decades are to be seen, and at every n-th decade where there are too many;
+/// A logarithmic axis over positive numbers. Ticks are labelled at decades, at 1, 2 and 5 where no
+/// more than three of them are to be seen, and at every n-th decade where there are too many;
 /// ticks between are at all digits from 1 to 9, or at all decades unless these are very many.
 class LogScale {
   public:
