@@ -85,11 +85,16 @@ Rung rung(std::uint32_t samples, std::uint32_t bounces, double seconds, double e
 
 void add_rungs(CostReport& report) {
     report.rungs = {
-        rung(1, 4, 0.0213, 0.0963, "draft"),  rung(4, 2, 0.0691, 0.0434, "preview"),
-        rung(4, 4, 0.0747, 0.0438, ""),       rung(16, 4, 0.288, 0.0175, "good"),
-        rung(16, 8, 0.297, 0.0176, ""),       rung(64, 4, 1.141, 0.00701, "better"),
-        rung(128, 8, 2.41, 0.00442, "final"), rung(128, 8, 3.31, 0.00443, ""),
+        rung(1, 4, 0.0213, 0.0963, "1 spp (preview)"),
+        rung(4, 2, 0.0691, 0.0434, "4 spp x 2 light"),
+        rung(4, 4, 0.0747, 0.0438, ""),
+        rung(16, 4, 0.288, 0.0175, "16 spp"),
+        rung(16, 8, 0.297, 0.0176, ""),
+        rung(64, 4, 1.141, 0.00701, "64 spp"),
+        rung(128, 8, 2.41, 0.00442, "128 spp (final)"),
+        rung(128, 8, 3.31, 0.00443, ""),
     };
+    report.rungs[1].light_samples = 2;
     report.rungs[5].verified = false;
     report.rungs[7].precision = renderer::Precision::kDouble;
     for (const std::size_t kept : {0U, 3U, 6U}) {

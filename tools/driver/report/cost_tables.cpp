@@ -33,7 +33,7 @@ std::string degrees_figure(const CostReport& report) {
 
 std::string front_words(const renderer::Rung& rung) {
     if (!rung.on_front) return "no";
-    return rung.verified ? "yes, verified" : "yes, predicted";
+    return rung.verified ? "verified" : "predicted";
 }
 
 }  // namespace
@@ -43,8 +43,7 @@ std::string precision_name(renderer::Precision precision) {
 }
 
 std::string rung_name(const renderer::Rung& rung) {
-    const std::string samples = counted(rung.samples, "sample");
-    return rung.name.empty() ? samples : printable(rung.name) + ", " + samples;
+    return rung.name.empty() ? counted(rung.samples, "sample") : printable(rung.name);
 }
 
 std::string cost_subject(const CostReport& report) {
@@ -181,17 +180,17 @@ CostTable rung_table(const CostReport& report) {
     table.lead = fmt::format(
         "the error is from the best picture of the study, noise and bias together: RMSE, and FLIP "
         "at {} pixels per degree; on the front are those that no other beats in both time and "
-        "error, verified if they were run once more",
+        "error, verified if measured by a run of their own",
         degrees_figure(report));
-    table.columns = {{"name", true},        {"samples"}, {"for lights"}, {"bounces"},
-                     {"precision", true},   {"seconds"}, {"error"},      {"FLIP"},
-                     {"on the front", true}};
+    table.columns = {{"samples"},   {"for lights"}, {"bounces"}, {"precision", true},
+                     {"seconds"},   {"error"},      {"FLIP"},    {"on the front", true},
+                     {"name", true}};
     for (const renderer::Rung& rung : report.rungs) {
-        table.rows.push_back(
-            {rung.name.empty() ? "-" : printable(rung.name), std::to_string(rung.samples),
-             rung.light_samples == 0 ? "-" : std::to_string(rung.light_samples),
-             std::to_string(rung.bounces), precision_name(rung.precision), figure(rung.seconds),
-             figure(rung.error), figure(rung.flip), front_words(rung)});
+        table.rows.push_back({std::to_string(rung.samples),
+                              rung.light_samples == 0 ? "-" : std::to_string(rung.light_samples),
+                              std::to_string(rung.bounces), precision_name(rung.precision),
+                              figure(rung.seconds), figure(rung.error), figure(rung.flip),
+                              front_words(rung), rung.name.empty() ? "-" : printable(rung.name)});
     }
     table.missing = "no choices: the study ended before any was tried";
     return table;

@@ -34,7 +34,7 @@ CostTable rung_table(const renderer::CostReport& report);
 /// "float" or "double".
 std::string precision_name(renderer::Precision precision);
 
-/// "preview, 4 samples": what a choice is called where there is little room.
+/// Its name, or "4 samples" if it has none.
 std::string rung_name(const renderer::Rung& rung);
 
 /// "a.scene, 640x480, 2 threads, seed 0", made safe to print.

@@ -104,8 +104,8 @@ std::string text_of(const CostTable& table, std::size_t columns, const ReportSty
 
 std::string cost_to_text(const renderer::CostReport& report, const ReportStyle& style) {
     const std::size_t columns = std::clamp(std::size_t{style.columns}, kLeastColumns, kMostColumns);
-    std::string text =
-        wrapped("what accuracy costs in time: " + cost_subject(report), 0, columns) + "\n\n";
+    std::string text = painted(kBold, "what accuracy costs in time", style) + "\n  " +
+                       wrapped(cost_subject(report), 2, columns) + "\n\n";
     for (const CostTable& table :
          {curve_table(report), effect_table(report), noise_table(report), precision_table(report),
           bias_table(report), rung_table(report)}) {
