@@ -399,11 +399,19 @@ bool BatchShading<T>::scatter(const Carried<T>* carried) {
 template <typename T>
 void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
                                       PendingRays<T>& to) const {
-    const bool reflected = kind == RayKind::kReflected;
     const ActiveEffects& effects = scene_->effects;
-    if (reflected ? !effects.reflection() : !effects.refraction() || !met_.any_glass()) return;
+    if (kind == RayKind::kReflected) {
+        if (effects.reflection()) append<true>(carried, to);
+    } else {
+        if (effects.refraction() && met_.any_glass()) append<false>(carried, to);
+    }
+}
+
+template <typename T>
+template <bool kReflected>
+void BatchShading<T>::append(const Carried<T>* carried, PendingRays<T>& to) const {
     // Looked up once: what is written may be anything, for all that the compiler knows.
-    const ChildColumns<T>& children = reflected ? *reflected_ : *refracted_;
+    const ChildColumns<T>& children = kReflected ? *reflected_ : *refracted_;
     const SurfaceSlots<T>& slots = met_.columns();
     const std::int32_t* const slot_of_entry = hits_->slot;
     const T* const beyond = on_->index_beyond;
@@ -424,7 +432,7 @@ void BatchShading<T>::append_children(RayKind kind, const Carried<T>* carried,
         ray.direction = children.direction.at(i);
         ray.time = parents[lane].time;
         excludes[count] = {ir::ObjectId{object}, slots.face[slot], children.outward[i] == 0};
-        carries[count] = {children.weight.at(i), reflected ? carried[lane].index : beyond[i],
+        carries[count] = {children.weight.at(i), kReflected ? carried[lane].index : beyond[i],
                           carried[lane].sample, carried[lane].number};
         likenesses[count] = likeness(children.heading[i], object);
         // What does not matter is written over by the next one: nobody knows which it will be.

@@ -109,6 +109,8 @@ class BatchShading {
     void send(const PreparedLight& light, Counters& counters);
     void add_highlights(Counters& counters);
     void leave_out_below_bent();
+    template <bool kReflected>
+    void append(const Carried<T>* carried, PendingRays<T>& to) const;
     template <MissStage kStage>
     void color_as(Columns3<T>& colors, Counters& counters);
     void begin_shadow_rays();

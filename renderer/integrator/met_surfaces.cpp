@@ -61,7 +61,7 @@ void MetSurfaces<T>::fill_slot(std::size_t slot, const Hit<T>& hit) {
                      (effects.highlights() && has_highlight(material.specular, material.shininess));
     columns_->specular.set(slot, material.specular);
     columns_->index[slot] = material.refraction_index;
-    scatters_[slot] = scene_->scatters(material) ? 1 : 0;
+    scatters_[slot] = material.sends_on ? 1 : 0;
     any_scatters_ = any_scatters_ || scatters_[slot] != 0;
     any_glass_ = any_glass_ || (scatters_[slot] != 0 && material.refraction_index > T(0));
     form_[slot] = form_of(object, hit);

@@ -2,6 +2,7 @@
 // Materials as the ray loop reads them, and which surfaces are simple enough for its loops.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct PreparedMaterial {
     ir::TextureFilter filter = ir::TextureFilter::kBilinear;
     math::Vec2d texture_scale{1, 1};
     bool error_checker = false;  ///< broken in the file
+    bool sends_on = false;       ///< a ray may go on from its surfaces
 
     [[nodiscard]] bool bends() const { return normal_map != nullptr || bump_map != nullptr; }
     [[nodiscard]] bool reads_uv() const { return texture != nullptr || bends() || error_checker; }
@@ -35,20 +37,13 @@ struct PreparedMaterial {
     }
 };
 
-/// Of the scene, and one more for objects without: whatever a broken scene left without a material
-/// shows that it is broken.
+/// Of the scene, for rays that may take so many turns, and one more for objects without: whatever a
+/// broken scene left without a material shows that it is broken.
 template <typename T>
 std::vector<PreparedMaterial<T>> prepare_materials(const ir::Scene& scene,
                                                    const ActiveEffects& effects,
-                                                   std::optional<ir::TextureFilter> filter);
-
-/// Whether a ray may go on from a surface of this material.
-template <typename T>
-bool sends_rays_on(const PreparedMaterial<T>& of, const ActiveEffects& effects,
-                   std::uint32_t bounces) {
-    return bounces > 0 && !(of.specular == math::Vec3<T>{}) &&
-           (effects.reflection() || (effects.refraction() && of.refraction_index > T(0)));
-}
+                                                   std::optional<ir::TextureFilter> filter,
+                                                   std::uint32_t bounces);
 
 /// An object at rest, in world space, of a shape that loops over columns compute.
 inline bool is_plain_shape(const ir::Scene& scene, const ir::Object& object) {

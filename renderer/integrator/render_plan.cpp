@@ -95,11 +95,9 @@ class Planner {
     }
 
     void scatter() {
-        const bool goes_on = any_used(
-            [this](const auto& m) { return sends_rays_on(m, plan_.effects, plan_.bounces); });
-        const bool through = any_used([this](const auto& m) {
-            return sends_rays_on(m, plan_.effects, plan_.bounces) && m.refraction_index > T(0);
-        });
+        const bool goes_on = any_used([](const auto& m) { return m.sends_on; });
+        const bool through =
+            any_used([](const auto& m) { return m.sends_on && m.refraction_index > T(0); });
         const bool reflects = goes_on && plan_.effects.reflection();
         const bool refracts = through && plan_.effects.refraction();
         plan_.scatter = (reflects && refracts) || general_ ? ScatterStage::kReflectAndRefract
@@ -165,8 +163,8 @@ class Planner {
 
 template <typename T>
 RenderPlan plan_in(const ir::Scene& scene, const Settings& settings) {
-    const auto materials =
-        prepare_materials<T>(scene, ActiveEffects(settings.effects), settings.texture_filter);
+    const auto materials = prepare_materials<T>(scene, ActiveEffects(settings.effects),
+                                                settings.texture_filter, settings.bounces);
     return make_plan<T>(scene, settings, materials);
 }
 

@@ -29,7 +29,7 @@ ShadingScene<T> prepare_shading(const ir::Scene& scene, const Settings& settings
                                 const BuildControl& build) {
     const ActiveEffects effects(settings.effects);
     std::vector<PreparedMaterial<T>> materials =
-        prepare_materials<T>(scene, effects, settings.texture_filter);
+        prepare_materials<T>(scene, effects, settings.texture_filter, settings.bounces);
     RenderPlan plan = make_plan<T>(scene, settings, materials);
     PrepareOptions options;
     options.acceleration = settings.acceleration;

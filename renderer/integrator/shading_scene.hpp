@@ -38,10 +38,6 @@ struct ShadingScene {
         return id.value + std::size_t{1} < materials.size() ? materials[id.value]
                                                             : materials.back();
     }
-    /// Whether a ray may go on from a surface of this material.
-    [[nodiscard]] bool scatters(const PreparedMaterial<T>& of) const {
-        return sends_rays_on(of, effects, bounces);
-    }
     /// Bytes of all this, without the source's images.
     [[nodiscard]] std::uint64_t bytes() const;
 };

@@ -183,7 +183,7 @@ template <typename T>
 void scatter(const ShadingScene<T>& scene, const TracedRay<T>& ray, const Encounter<T>& met,
              Offspring<T>& children) {
     children.count = 0;
-    if (!met.hit || ray.depth >= scene.bounces || !scene.scatters(*met.material)) return;
+    if (!met.hit || ray.depth >= scene.bounces || !met.material->sends_on) return;
     const PreparedMaterial<T>& material = *met.material;
     const bool see_through = material.refraction_index > T(0);
     const SurfaceLook<T>& look = met.look;
