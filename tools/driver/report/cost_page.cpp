@@ -80,9 +80,11 @@ std::string facts(const Rung& rung) {
     const auto fact = [](std::string_view name, const std::string& value) {
         return fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, escape(value));
     };
+    const bool lights = rung.light_samples > 1;
     return "<dl>" + fact("samples", std::to_string(rung.samples)) +
-           fact("seconds", figure(rung.seconds)) + fact("error", figure(rung.error)) +
-           fact("FLIP", figure(rung.flip)) + "</dl>\n";
+           (lights ? fact("for lights", std::to_string(rung.light_samples)) : "") +
+           fact("bounces", std::to_string(rung.bounces)) + fact("seconds", figure(rung.seconds)) +
+           fact("error", figure(rung.error)) + fact("FLIP", figure(rung.flip)) + "</dl>\n";
 }
 
 std::string card(const Rung& rung, double scale) {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ir/math/elementary.hpp"
@@ -43,7 +44,9 @@ std::string precision_name(renderer::Precision precision) {
 }
 
 std::string rung_name(const renderer::Rung& rung) {
-    return rung.name.empty() ? counted(rung.samples, "sample") : printable(rung.name);
+    std::string name = rung.name.empty() ? counted(rung.samples, "sample") : printable(rung.name);
+    if (rung.precision == renderer::Precision::kDouble) name += ", double";
+    return name;
 }
 
 std::string cost_subject(const CostReport& report) {
@@ -105,6 +108,15 @@ CostTable effect_table(const CostReport& report) {
         table.rows.push_back({std::string(ir::name_of(bill.effect)), count_figure(bill.rays),
                               figure(bill.seconds), percent(bill.share), figure(bill.rmse),
                               figure(bill.flip), figure(bill.maximum)});
+    }
+    if (report.effects.size() > 1) {
+        table.notes.emplace_back(
+            "what effects save overlaps, as mirrored rays meet shadows too: it does not sum to 100 "
+            "%");
+    }
+    if (std::any_of(report.effects.begin(), report.effects.end(),
+                    [](const renderer::EffectBill& bill) { return bill.seconds < 0; })) {
+        table.notes.emplace_back("below 0: the picture took longer without the effect");
     }
     table.missing =
         "no bill: the scene calls for no effect, or the study ended before one was measured";

@@ -34,7 +34,7 @@ CostTable rung_table(const renderer::CostReport& report);
 /// "float" or "double".
 std::string precision_name(renderer::Precision precision);
 
-/// Its name, or "4 samples" if it has none.
+/// Its name, or "4 samples" if it has none; ", double" behind it where it is.
 std::string rung_name(const renderer::Rung& rung);
 
 /// "a.scene, 640x480, 2 threads, seed 0", made safe to print.
