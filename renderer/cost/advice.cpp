@@ -31,14 +31,19 @@ const Rung* quickest_within(const CostReport& report, double error, std::uint32_
     return best;
 }
 
+/// Whose fault the noise is, if it is anybody's.
 std::string noise_text(const NoiseBill& noise) {
     const auto loudest =
         std::max_element(noise.shares.begin(), noise.shares.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
     if (loudest == noise.shares.end() || noise.shares.size() < 2) return {};
+    if (noise.together > loudest->first) {
+        return fmt::format("{:.0f} % of the noise is made by its sources together, {} in {:.0f} %",
+                           100 * noise.together, loudest->name, 100 * loudest->total);
+    }
     const std::string whose =
-        loudest->name == "pixel" ? "the edges in pixels make" : loudest->name + " makes";
-    return fmt::format("{} {:.0f} % of the noise", whose, 100 * loudest->first);
+        loudest->name == "pixel" ? "where rays go through the pixel" : loudest->name;
+    return fmt::format("{} makes {:.0f} % of the noise", whose, 100 * loudest->first);
 }
 
 }  // namespace

@@ -158,9 +158,8 @@ class AdaptivePlan final : public PassPlan {
         double expected_seconds = 0;
         for (std::size_t t = 0; t < tiles_.size(); ++t) {
             double of_tile = 0;
-            each_pixel(tiles_[t], [&](std::size_t i) {
-                of_tile += expected_of(intervals.half_width(i, 1), factor);
-            });
+            each_pixel(tiles_[t],
+                       [&](std::size_t i) { of_tile += expected_of(intervals, i, factor); });
             samples += of_tile;
             const double seconds = costs.tile_seconds[t];
             tile_seconds += seconds;
@@ -176,13 +175,16 @@ class AdaptivePlan final : public PassPlan {
         forecast_ = forecast;
     }
 
-    /// Samples of a pixel whose interval has this half width at the first look.
-    [[nodiscard]] double expected_of(double width, double factor) const {
+    /// Samples of a pixel, at the first look, if its error falls by `factor` from look to look.
+    [[nodiscard]] double expected_of(const Intervals& intervals, std::size_t pixel,
+                                     double factor) const {
+        double width = intervals.half_width(pixel, 1);
         std::uint32_t round = 1;
         while (width > goal_.error && round < kMostLooks &&
                scramble_samples(round + 1, goal_.most_samples) >
                    scramble_samples(round, goal_.most_samples)) {
-            width *= factor;
+            width *=
+                factor * intervals.standard_errors(round + 1) / intervals.standard_errors(round);
             ++round;
         }
         return static_cast<double>(scramble_samples(round, goal_.most_samples)) * kScrambles;

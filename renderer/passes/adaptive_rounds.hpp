@@ -35,6 +35,8 @@ class Intervals {
 
     /// At look `look`, from 1.
     [[nodiscard]] double half_width(std::size_t pixel, std::uint32_t look) const;
+    /// Half the width of a look's interval, in standard errors.
+    [[nodiscard]] double standard_errors(std::uint32_t look) const { return t_[look]; }
     /// Mean over pixels and channels of the estimated squared error.
     [[nodiscard]] double mean_square() const;
 

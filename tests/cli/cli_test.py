@@ -69,6 +69,8 @@ def normalised(text, folder):
     text = re.sub(r"in [0-9.]+ s \([0-9.]+ ?[kMGT]?rays/s\)", "in T s (N rays/s)", text)
     text = re.sub(r"in [0-9.]+ s \(N rays/s\)", "in T s (N rays/s)", text)
     text = re.sub(r'("seconds": |"peak_bytes": |"rays_per_second": )[0-9.e+-]+', r"\1N", text)
+    text = re.sub(r"(expects|expected) ([0-9]+) samples a pixel and [0-9.]+ s",
+                  r"\1 \2 samples a pixel and T s", text)
     # How far an interrupted render came depends on the machine.
     text = re.sub(r"interrupted at [0-9]+ %", "interrupted at N %", text)
     return re.sub(r"^rendering: .*\n", "", text, flags=re.MULTILINE)

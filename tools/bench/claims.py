@@ -116,8 +116,8 @@ def forecast(options):
             name = os.path.relpath(scene, os.path.join(ROOT, "scenes"))
             _, said = render(options.program, scene, folder, "--size", options.size,
                              "--error", "0.02", "--max-samples", "4096")
-            took = re.search(r"in ([\d.]+) s \(expected \d+ in ([\d.]+) s\)", said)
-            seconds, expected = float(took[1]), float(took[2])
+            seconds = float(re.search(r"rays in ([\d.]+) s", said)[1])
+            expected = float(re.search(r"\(expected .* and ([\d.]+) s\)", said)[1])
             print(f"{name:<28}{'--error 0.02':>14}{expected:>12.2f}{seconds:>9.2f}"
                   f"{seconds / expected:>7.2f}", flush=True)
             _, said = render(options.program, scene, folder, "--size", options.size,

@@ -303,12 +303,7 @@ class Render {
                                         short_number(static_cast<double>(progress.rays)),
                                         progress.seconds, short_number(rate)));
         if (!stats.achieved) return;
-        double render_seconds = 0;
-        for (const renderer::PhaseTime& phase : stats.phases) {
-            if (phase.name == "render") render_seconds = phase.seconds;
-        }
-        driver::write_error(
-            driver::achieved_text(*stats.achieved, settings_of_goal(), render_seconds));
+        driver::write_error(driver::achieved_text(*stats.achieved, settings_of_goal()));
     }
 
     int write(const renderer::Picture& picture, const renderer::Stats& stats,

@@ -14,8 +14,8 @@ std::string guarantee_text(const renderer::ErrorGoal& goal) {
 }
 
 std::string forecast_text(const renderer::Forecast& forecast, double error) {
-    return fmt::format("error {:g}: expects {:.0f} samples a pixel and {:.2f} s of rendering\n",
-                       error, forecast.samples, forecast.seconds);
+    return fmt::format("error {:g}: expects {:.0f} samples a pixel and {:.2f} s\n", error,
+                       forecast.samples, forecast.seconds);
 }
 
 std::string budget_text(const renderer::BudgetChoice& choice, std::uint32_t scrambles,
@@ -30,8 +30,7 @@ std::string budget_text(const renderer::BudgetChoice& choice, std::uint32_t scra
                        settings, choice.seconds, choice.rms);
 }
 
-std::string achieved_text(const renderer::Achieved& achieved, const renderer::ErrorGoal* goal,
-                          double seconds) {
+std::string achieved_text(const renderer::Achieved& achieved, const renderer::ErrorGoal* goal) {
     using Method = renderer::ErrorGoal::Method;
     std::string text = "error: ";
     if (achieved.rms > 0 || goal == nullptr) {
@@ -42,11 +41,10 @@ std::string achieved_text(const renderer::Achieved& achieved, const renderer::Er
         fmt::format("99 % of pixels within {:.2g}, all within {:.2g}{}", achieved.percentile_99,
                     achieved.largest, guaranteed ? ", guaranteed to 95 %" : " (95 % intervals)");
     if (goal == nullptr) return text + "\n";
-    text += fmt::format("; {:.0f} samples a pixel, {} to {}, in {:.2f} s", achieved.samples,
-                        achieved.fewest, achieved.most, seconds);
+    text += fmt::format("; {} to {} samples a pixel", achieved.fewest, achieved.most);
     if (achieved.forecast) {
-        text += fmt::format(" (expected {:.0f} in {:.2f} s)", achieved.forecast->samples,
-                            achieved.forecast->seconds);
+        text += fmt::format(" (expected {:.0f} samples a pixel and {:.2f} s)",
+                            achieved.forecast->samples, achieved.forecast->seconds);
     }
     text += '\n';
     if (achieved.beyond_goal > 0) {

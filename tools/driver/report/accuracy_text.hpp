@@ -19,8 +19,7 @@ std::string forecast_text(const renderer::Forecast& forecast, double error);
 /// Before the picture that a trial chose.
 std::string budget_text(const renderer::BudgetChoice& choice, std::uint32_t scrambles,
                         double budget);
-/// Afterwards; `goal` may be null. `seconds`: of rendering.
-std::string achieved_text(const renderer::Achieved& achieved, const renderer::ErrorGoal* goal,
-                          double seconds);
+/// Afterwards; `goal` may be null.
+std::string achieved_text(const renderer::Achieved& achieved, const renderer::ErrorGoal* goal);
 
 }  // namespace cobble::driver
