@@ -72,7 +72,7 @@ struct NoiseShare {
 struct NoiseBill {
     std::uint32_t samples = 0;
     std::uint32_t seeds = 0;         ///< of each source; 0: no bill
-    std::vector<NoiseShare> shares;  ///< empty if nothing but the pixel is sampled
+    std::vector<NoiseShare> shares;  ///< the pixel's alone if no effect is sampled
     double together = kNotMeasured;  ///< what interactions of two and more sources make
     Interval together_band;
 };

@@ -85,6 +85,18 @@ TEST_CASE("cost: a study of nothing has every face") {
     CHECK(cost_to_json(nothing)["curve"].is_null());
 }
 
+TEST_CASE("cost: one source of noise has nobody to be together with") {
+    CostReport report = test::whole_study();
+    CHECK(has(cost_to_text(report, {}), "\n  together "));
+    CHECK(has(cost_shares_to_svg(report), ">together<"));
+    report.noise.shares = {{"pixel", 1, 1, {1, 1}, {1, 1}}};
+    report.noise.together = 0;
+    const std::string text = cost_to_text(report, {});
+    CHECK(!has(text, "\n  together "));
+    CHECK(has(text, "all noise is of where in a pixel rays go"));
+    CHECK(!has(cost_shares_to_svg(report), ">together<"));
+}
+
 TEST_CASE("cost: no face says nan or inf, or claims more than was measured") {
     for (const CostReport& report : {test::whole_study(), test::cut_short_study(),
                                      test::study_without_numbers(), CostReport{}}) {

@@ -217,14 +217,15 @@ std::string cost_shares_to_svg(const CostReport& report) {
         chart::Bar time = time_bar(report, name);
         add(name, std::move(time), noise_bar(report, name));
     }
-    if (noise) add("together", {}, bar_of(report.noise.together, report.noise.together_band));
+    const bool several = report.noise.shares.size() > 1;
+    if (several) add("together", {}, bar_of(report.noise.together, report.noise.together_band));
     if (drawing.rows.empty()) drawing.legend.description = "Nothing was measured.";
     drawing.captions.push_back(cost_subject(report));
     if (noise) {
         drawing.captions.push_back(fmt::format(
-            "Noise: of the variance of a picture of {} a pixel; what several sources make only "
-            "together is a row of its own.",
-            counted(report.noise.samples, "sample")));
+            "Noise: of the variance of a picture of {} a pixel{}.",
+            counted(report.noise.samples, "sample"),
+            several ? "; what several sources make only together is a row of its own" : ""));
     }
     return draw(drawing);
 }

@@ -134,15 +134,17 @@ CostTable noise_table(const CostReport& report) {
         counted(noise.samples, "sample"), counted(noise.seeds, "seed"));
     table.columns = {
         {"source", true}, {"alone"}, {"95 % interval"}, {"with others"}, {"95 % interval"}};
-    table.missing =
-        "no bill: nothing but the place in the pixel is sampled, or the study ended before it was "
-        "measured";
+    table.missing = "no bill: the study ended before it was measured";
     for (const renderer::NoiseShare& share : noise.shares) {
         table.rows.push_back({printable(share.name), percent(share.first),
                               percent_interval(share.first_band), percent(share.total),
                               percent_interval(share.total_band)});
     }
-    if (!table.rows.empty()) {
+    if (table.rows.size() == 1) {
+        table.notes.emplace_back(
+            "no effect of the scene draws random numbers: all noise is of where in a pixel rays "
+            "go");
+    } else if (!table.rows.empty()) {
         table.rows.push_back(
             {"together", percent(noise.together), percent_interval(noise.together_band), "", ""});
     }
