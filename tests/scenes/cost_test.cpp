@@ -98,8 +98,9 @@ TEST_CASE("each scene costs the rays and tests that are written down") {
 }
 
 TEST_CASE("rays by kind are the same one by one, and in batches on every instruction set") {
-    for (const auto& [name, scene] : all_scenes()) {
-        CAPTURE(name);
+    for (const NamedScene& named : all_scenes()) {
+        const ir::Scene& scene = named.scene;
+        CAPTURE(named.name);
         const ir::Effects all = ir::derive_effects(scene);
         // Where no ray goes on from a surface, tiles go another way.
         const ir::Effects flat =
