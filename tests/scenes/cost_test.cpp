@@ -4,8 +4,8 @@
 // COBBLE_UPDATE=1 writes it anew.
 //
 // Rays of a kind depend on nothing but the scene. Box and primitive tests are counted on the fast
-// core's trees with one lane: rays are then searched one by one, so that neither packets nor the
-// width of a processor's registers have a part in them.
+// core's trees in double precision, in which rays are searched one by one: packets, and with them
+// the width of a processor's registers, have no part in them.
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
@@ -23,6 +23,7 @@
 using namespace cobble;
 using namespace cobble::test;
 using renderer::Acceleration;
+using renderer::Precision;
 
 namespace {
 
@@ -63,18 +64,20 @@ const std::vector<NamedScene>& all_scenes() {
     return scenes;
 }
 
-renderer::Counters count(const ir::Scene& scene, Acceleration core, const ir::Effects& effects) {
+renderer::Counters count(const ir::Scene& scene, Acceleration core, const ir::Effects& effects,
+                         Precision precision) {
     renderer::Settings s = settings(kWidth, kHeight, kSamples, effects);
     s.acceleration = core;
+    s.precision = precision;
     return render(scene, s).stats.counters;
 }
 
 std::string table() {
-    const WithInstructionSet one_lane("scalar");
     std::string text = fmt::format("{:<22}{:>8}{:>8}{:>10}{:>10}{:>10}{:>12}\n", "scene", "camera",
                                    "shadow", "reflected", "refracted", "boxes", "primitives");
     for (const auto& [name, scene] : all_scenes()) {
-        const renderer::Counters c = count(scene, Acceleration::kFast, ir::derive_effects(scene));
+        const renderer::Counters c =
+            count(scene, Acceleration::kFast, ir::derive_effects(scene), Precision::kDouble);
         // Hundredths: less is no cost.
         const auto a_pixel = [](std::uint64_t tests) {
             return static_cast<double>(tests) / (kWidth * kHeight);
@@ -94,7 +97,11 @@ std::string text_of(const renderer::Counters& c) {
 }  // namespace
 
 TEST_CASE("each scene costs the rays and tests that are written down") {
-    check_golden("tests/scenes/cost.expected", table());
+    for (const std::string& set : renderer::instruction_sets()) {
+        CAPTURE(set);
+        const WithInstructionSet with(set);
+        check_golden("tests/scenes/cost.expected", table());
+    }
 }
 
 TEST_CASE("rays by kind are the same one by one, and in batches on every instruction set") {
@@ -106,11 +113,13 @@ TEST_CASE("rays by kind are the same one by one, and in batches on every instruc
         const ir::Effects flat =
             without(without(all, ir::Effect::kReflection), ir::Effect::kRefraction);
         for (const ir::Effects& effects : {all, flat}) {
-            const std::string one_by_one = text_of(count(scene, Acceleration::kBvh, effects));
+            const std::string one_by_one =
+                text_of(count(scene, Acceleration::kBvh, effects, Precision::kFloat));
             for (const std::string& set : renderer::instruction_sets()) {
                 CAPTURE(set);
                 const WithInstructionSet with(set);
-                CHECK(text_of(count(scene, Acceleration::kFast, effects)) == one_by_one);
+                CHECK(text_of(count(scene, Acceleration::kFast, effects, Precision::kFloat)) ==
+                      one_by_one);
             }
         }
     }
