@@ -116,6 +116,9 @@ def page(rows):
         "|---|---|---:|---:|---:|---:|---:|",
         *rows,
         "",
+        "An effect may cost less than what it takes the place of: a surface that shows its",
+        "surroundings is not lit.",
+        "",
         "`tests/instructions` holds a scene without any effect to this: it takes the same number",
         "of instructions, within a thousandth, in a program without any.",
     ]) + "\n"
