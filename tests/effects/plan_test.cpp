@@ -142,17 +142,17 @@ TEST_CASE("columns of an effect that is off have no bytes") {
         Effect off;
         ColumnGroup group;
     };
-    for (const auto& [off, group] : {Case{Effect::kShadows, ColumnGroup::kShadowRays},
-                                     Case{Effect::kHighlights, ColumnGroup::kHighlights},
-                                     Case{Effect::kReflection, ColumnGroup::kReflected},
-                                     Case{Effect::kRefraction, ColumnGroup::kRefracted}}) {
-        CAPTURE(ir::name_of(off));
-        const RenderPlan without = plan_of(scene, mask_without({off}));
-        const auto at = static_cast<std::size_t>(group);
-        CHECK(renderer::columns_of(all)[at].bytes == renderer::bytes_of<float>(group));
+    for (const Case& of : {Case{Effect::kShadows, ColumnGroup::kShadowRays},
+                           Case{Effect::kHighlights, ColumnGroup::kHighlights},
+                           Case{Effect::kReflection, ColumnGroup::kReflected},
+                           Case{Effect::kRefraction, ColumnGroup::kRefracted}}) {
+        CAPTURE(ir::name_of(of.off));
+        const RenderPlan without = plan_of(scene, mask_without({of.off}));
+        const auto at = static_cast<std::size_t>(of.group);
+        CHECK(renderer::columns_of(all)[at].bytes == renderer::bytes_of<float>(of.group));
         CHECK(renderer::columns_of(without)[at].bytes == 0);
         CHECK(bytes_of_columns(all) - bytes_of_columns(without) ==
-              renderer::bytes_of<float>(group));
+              renderer::bytes_of<float>(of.group));
     }
     CHECK(bytes_of_pictures(all, "textures") == 48);
     CHECK(bytes_of_pictures(all, "normal maps") == 48 + 3 * 16 * 16);
