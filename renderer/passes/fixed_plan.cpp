@@ -40,8 +40,8 @@ class FixedPlan final : public PassPlan {
         }
         pass.samples.seed = scramble_seed(seed_, pass.scramble);
         pass.samples.salts = salts_;
-        pass.samples.count =
-            samples_ / scrambles_ + (pass.scramble < samples_ % scrambles_ ? 1 : 0);
+        const std::uint32_t of = std::max(scrambles_, 1U);
+        pass.samples.count = samples_ / of + (pass.scramble < samples_ % of ? 1 : 0);
         return pass;
     }
 

@@ -172,7 +172,7 @@ def main():
     parser.add_argument("--truth", type=int, default=65536)
     parser.add_argument("--unbiased", action="store_true")
     options = parser.parse_args()
-    options.size = options.size or ("320x240" if options.what == "forecast" else "24x18")
+    options.size = options.size or ("320x240" if options.what == "forecast" else "16x12")
     {"coverage": coverage, "forecast": forecast, "rare": rare}[options.what](options)
 
 
