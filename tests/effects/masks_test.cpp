@@ -19,6 +19,7 @@ namespace {
 renderer::Settings tiny(std::uint32_t mask) {
     renderer::Settings s = settings(8, 6, 1, effects_of_mask(mask));
     s.bounces = 2;
+    s.light_samples = 1 + mask % 2;  // of a light with a size
     return s;
 }
 
