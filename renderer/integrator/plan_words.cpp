@@ -40,7 +40,7 @@ PlannedStage rays_of(const RenderPlan& plan) {
 }
 
 PlannedStage surface_of(const RenderPlan& plan) {
-    std::string form = "of one color";
+    std::string form = "of one colour";
     std::string why;
     const auto add = [&](SurfaceStage part, std::string_view what, std::string_view effect) {
         if ((plan.surface & part) == 0) return;
@@ -63,9 +63,9 @@ PlannedStage lights_of(const RenderPlan& plan) {
     const auto areas = std::count(plan.lights.begin(), plan.lights.end(), LightStage::kArea);
     const auto points = static_cast<std::ptrdiff_t>(plan.lights.size()) - areas;
     std::string form;
-    if (points > 0) form += counted(points, "without size");
+    if (points > 0) form += counted(points, "sharp");
     if (points > 0 && areas > 0) form += ", ";
-    if (areas > 0) form += counted(areas, "with a size");
+    if (areas > 0) form += counted(areas, "soft");
     form += plan.shadows ? ", shadow rays" : ", no shadow rays";
     std::string why = areas > 0 ? "soft-shadows" : "no soft-shadows";
     why += plan.shadows ? ", shadows" : ", no shadows";
@@ -95,7 +95,7 @@ PlannedStage scatter_of(const RenderPlan& plan) {
 
 PlannedStage miss_of(const RenderPlan& plan) {
     if (plan.miss == MissStage::kColor) {
-        return {"background", "color", "no environment around the scene"};
+        return {"background", "colour", "no environment around the scene"};
     }
     return {"background", "cube map", "environment"};
 }

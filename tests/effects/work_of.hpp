@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ir/scene/effects.hpp"
-#include "renderer/tile/stats.hpp"
+#include "renderer/tile/counters.hpp"
 
 namespace cobble::test {
 

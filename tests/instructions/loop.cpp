@@ -20,6 +20,7 @@
 #include "renderer/integrator/scene_renderer.hpp"
 #include "renderer/intersect/instruction_set.hpp"
 #include "renderer/job/fp_environment.hpp"
+#include "renderer/sampling/sample_pass.hpp"
 #include "tools/driver/load.hpp"
 
 using namespace cobble;
@@ -90,10 +91,13 @@ int main(int argc, char** argv) {
     renderer::Film film(settings);
     renderer::TileWork work;
     work.tile = {0, 0, settings.width, settings.height};
+    work.pass = renderer::whole_pass(settings.seed, settings.samples);
+    work.pixels = work.tile.pixels();
     const std::atomic<bool> cancelled = false;
     renderer::StopCheck stop(cancelled, renderer::Deadline::max());
     cobble_render_loop(of, work, film, stop);
-    if (!work.done()) return fail("the picture is not complete");
+    if (work.counters.camera_rays != work.pixels * settings.samples)
+        return fail("the picture is not complete");
     fmt::print("{:016x}\n", hash_of(film.picture()));
     return 0;
 }

@@ -179,8 +179,14 @@ void add_explain(CLI::App& app, Context& context) {
     sub->callback([options, sub, subject, of_both, &context] {
         options->listing = subject->count() == 0;
         const std::vector<CLI::Option*> all = sub->get_options();
-        for (std::size_t i = of_both; i < all.size(); ++i) {
+        for (std::size_t i = of_both; i < all.size() - ir::kEffectCount; ++i) {
             if (all[i]->count() > 0) options->of_scenes.push_back(all[i]->get_name());
+        }
+        for (std::size_t i = 0; i < ir::kEffectCount; ++i) {
+            const int wanted = options->view.effects[i];
+            if (wanted == 0) continue;
+            options->of_scenes.push_back(fmt::format("--{}{}", wanted < 0 ? "no-" : "",
+                                                     ir::name_of(static_cast<ir::Effect>(i))));
         }
         context.run = [options, &context] { return run(*options, context); };
     });

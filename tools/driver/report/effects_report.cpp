@@ -48,7 +48,7 @@ std::string bytes_text(const renderer::PlannedBytes& planned) {
 std::string plan_text(const renderer::RenderPlan& plan) {
     std::string text = "\nstages, each in the form that was chosen for the whole picture\n";
     for (const renderer::PlannedStage& stage : renderer::stages_of(plan)) {
-        text += fmt::format("  {:<12} {:<30} {}\n", stage.stage, stage.form, stage.why);
+        text += fmt::format("  {:<12} {:<31} {}\n", stage.stage, stage.form, stage.why);
     }
     text += "columns of a batch, in bytes for each thread\n";
     for (const auto& columns : renderer::columns_of(plan)) text += bytes_text(columns);
