@@ -118,12 +118,12 @@ TEST_CASE("the curve of a picture has the error and the slope that its scatter h
 
 TEST_CASE("the band of an error holds the true one in 95 % of curves") {
     // Pixels of independent normal numbers of deviation 1: the true error is 1 / sqrt(samples).
-    constexpr std::uint32_t kPixels = 50;
+    constexpr std::uint32_t kWidth = 50;
     std::uint32_t inside = 0;
     constexpr std::uint32_t kRuns = 400;
     for (std::uint32_t run = 0; run < kRuns; ++run) {
-        renderer::ScrambleSums sums(kPixels, 8, {});
-        for (std::uint32_t i = 0; i < kPixels; ++i) {
+        renderer::ScrambleSums sums(kWidth, 8, {});
+        for (std::uint32_t i = 0; i < kWidth; ++i) {
             for (std::uint32_t k = 0; k < 8; ++k) {
                 const std::uint64_t key = renderer::combine(run, 8 * i + k);
                 const renderer::Uniform2 u = renderer::random_point(1, key);

@@ -80,6 +80,15 @@ std::string check_accuracy(const AccuracyOptions& options, bool compat) {
     return {};
 }
 
+std::uint64_t bytes_of_pixel(const AccuracyOptions& options) {
+    // As ScrambleSums has them; a look at the error takes as much as a scramble again.
+    constexpr std::uint64_t kOfScramble = 28;
+    if (options.guarantee) return 2 * kOfScramble;
+    if (options.error > 0) return (renderer::kScrambles + 1) * kOfScramble;
+    if (options.budget > 0 && !options.scrambles_given) return renderer::kScrambles * kOfScramble;
+    return options.scrambles > 1 ? options.scrambles * kOfScramble : 0;
+}
+
 void set_accuracy(const AccuracyOptions& options, bool shown_as_srgb,
                   renderer::Settings& settings) {
     settings.scrambles = options.scrambles;

@@ -30,6 +30,9 @@ void add_accuracy_options(CLI::App& sub, AccuracyOptions& options);
 /// followed, which takes as many samples as its flags say.
 std::string check_accuracy(const AccuracyOptions& options, bool compat);
 
+/// Memory that the sums of several scrambles take for each pixel.
+std::uint64_t bytes_of_pixel(const AccuracyOptions& options);
+
 /// `shown_as_srgb`: the picture is light, and encoded where it is shown.
 void set_accuracy(const AccuracyOptions& options, bool shown_as_srgb, renderer::Settings& settings);
 

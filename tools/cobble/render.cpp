@@ -153,7 +153,9 @@ class Render {
         if (std::string problem = driver::check_targets(targets_, window); !problem.empty()) {
             return problem;
         }
-        if (std::string problem = driver::check_memory(targets_.size(), window); !problem.empty()) {
+        if (std::string problem =
+                driver::check_memory(targets_.size(), window, bytes_of_pixel(options_.accuracy));
+            !problem.empty()) {
             return problem;
         }
         if (!options_.stats.empty()) {

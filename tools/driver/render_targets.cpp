@@ -35,12 +35,12 @@ std::string check_targets(const std::vector<RenderTarget>& targets, const render
     return {};
 }
 
-std::string check_memory(std::size_t targets, const renderer::Crop& window) {
+std::string check_memory(std::size_t targets, const renderer::Crop& window, std::uint64_t more) {
     const std::uint32_t width = window.x1 - window.x0;
     const std::uint32_t height = window.y1 - window.y0;
     // Three floats a pixel; every plane stands in memory twice, in the job and as its result, and
     // encoded once more.
-    const std::uint64_t needed = std::uint64_t{width} * height * 12 * 3 * targets;
+    const std::uint64_t needed = std::uint64_t{width} * height * (12 * 3 * targets + more);
     const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) *
                         static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
     if (needed <= memory) return {};

@@ -30,8 +30,8 @@ std::vector<RenderTarget> targets_of(const TargetPaths& paths);
 /// what is wrong; writes nothing.
 std::string check_targets(const std::vector<RenderTarget>& targets, const renderer::Crop& window);
 
-/// Whether this machine has the memory for so many pictures of this window. Gives "" or what is
-/// wrong.
-std::string check_memory(std::size_t targets, const renderer::Crop& window);
+/// Whether this machine has the memory for so many pictures of this window, and for `more` bytes a
+/// pixel that the render keeps. Gives "" or what is wrong.
+std::string check_memory(std::size_t targets, const renderer::Crop& window, std::uint64_t more);
 
 }  // namespace cobble::driver
