@@ -17,7 +17,7 @@ constexpr double kUsable = 0.97;  ///< of what is left: clocks and neighbours ar
 // errors fall, may take more.
 constexpr double kTrialPart = 0.05;
 constexpr double kSecondTrialPart = 0.25;
-/// A pixel; beyond that the picture is written from memory of floats that cannot tell.
+/// A pixel: more than any scene's noise asks for.
 constexpr std::uint32_t kMostSamples = 1U << 20U;
 
 /// Errors fall by this power of the samples.

@@ -11,7 +11,8 @@
 namespace cobble::renderer {
 namespace {
 
-/// Least squares of log(error) over log(samples); 0 if fewer than two points have an error.
+/// Least squares of log(error) over log(samples); not measured if fewer than two points have an
+/// error.
 double slope_of(const std::vector<Scatters>& points,
                 const std::function<double(const Scatters&)>& mean_square) {
     const std::size_t first = points.size() > 6 ? points.size() / 2 : points.size() > 3 ? 1 : 0;

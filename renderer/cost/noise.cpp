@@ -2,7 +2,6 @@
 #include "renderer/cost/noise.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "renderer/estimate/jackknife.hpp"
 

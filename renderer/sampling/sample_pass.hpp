@@ -12,7 +12,6 @@ class PixelMask;
 
 /// What draws numbers. Values are part of every picture's meaning: never renumber.
 enum class Draw : std::uint8_t { kPixel = 1, kLens = 2, kTime = 3, kLight = 4 };
-inline constexpr std::uint32_t kDraws = 4;
 
 /// How the numbers of a set lie.
 enum class Scatter : std::uint8_t {
@@ -31,9 +30,6 @@ struct SamplePass {
     std::uint64_t salts = 0;
     const PixelMask* active = nullptr;  ///< the pixels that take them; all if null
 
-    [[nodiscard]] std::uint64_t salt(Draw what) const {
-        return salts >> (16U * (static_cast<std::uint32_t>(what) - 1U)) & 0xffffU;
-    }
     void set_salt(Draw what, std::uint16_t salt) {
         const std::uint32_t shift = 16U * (static_cast<std::uint32_t>(what) - 1U);
         salts = (salts & ~(std::uint64_t{0xffff} << shift)) | std::uint64_t{salt} << shift;

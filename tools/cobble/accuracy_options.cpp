@@ -67,6 +67,10 @@ std::string check_accuracy(const AccuracyOptions& options, bool compat) {
     if (budget && options.samples_given) {
         return "'--budget' chooses the number of samples: leave '--samples' out";
     }
+    if (budget && options.scrambles_given && options.scrambles < 2) {
+        return "'--budget' tells the error by scrambles: '--scrambles' wants 2 or more with it, or "
+               "leave it out";
+    }
     if (error && options.scrambles_given) {
         return "'--error' has its own number of scrambles: leave '--scrambles' out";
     }

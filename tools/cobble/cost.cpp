@@ -12,7 +12,6 @@
 #include "tools/cobble/arguments.hpp"
 #include "tools/cobble/command.hpp"
 #include "tools/cobble/interrupt.hpp"
-#include "tools/cobble/progress.hpp"
 #include "tools/cobble/usage.hpp"
 #include "tools/cobble/view_options.hpp"
 #include "tools/driver/outputs.hpp"
@@ -77,11 +76,6 @@ int run(const Options& options, Context& context) {
     study.keep_pictures = !options.html.empty();
     study.pixels_per_degree = options.ppd;
     study.light = options.view.transfer == "srgb";
-    const bool terminal = driver::is_terminal(STDERR_FILENO);
-    ProgressBar bar(options.quiet ? ProgressBar::Kind::kSilent
-                    : terminal    ? ProgressBar::Kind::kTerminal
-                                  : ProgressBar::Kind::kLines,
-                    driver::terminal_width(STDERR_FILENO, 80));
     const auto scheduler = renderer::make_thread_scheduler(options.threads);
     const InterruptGuard guard;
     auto report = renderer::study_cost(
@@ -89,7 +83,6 @@ int run(const Options& options, Context& context) {
         [] { return InterruptGuard::interrupted(); },
         [&](std::string_view part, double fraction) {
             if (options.quiet) return;
-            bar.clear();
             driver::write_error(fmt::format("{:3.0f} %  {} ...\n", 100 * fraction, part));
         });
     if (!report) {
