@@ -17,10 +17,11 @@ struct BudgetChoice {
     bool fits = true;           ///< false: even the fewest samples are expected to take longer
 };
 
-/// Renders pictures of 8 samples a pixel and more, until one has taken a twentieth of `seconds`,
-/// which are for them and for the picture chosen. Time is taken to grow in proportion to the
-/// samples, and the error to fall on as it fell from one trial to the next, by a power of the
-/// samples from 0.4 to 1.5. Nothing if interrupted. `settings.scrambles` is at least 2.
+/// `seconds` are for trials and for the picture chosen. Pictures of few samples tell what a sample
+/// takes and how large the error is, up to a twentieth of the time; then a part of the picture,
+/// with up to half as many samples as the choice, tells how both go on: the error by a power of the
+/// samples from 0.4 to 1.5. Nothing if interrupted. `settings.scrambles` is at least 2, and
+/// `settings.shard_count` 1.
 std::optional<BudgetChoice> choose_for_budget(const ir::Scene& scene, const Settings& settings,
                                               double seconds, Scheduler& scheduler,
                                               const Interrupted& interrupted);

@@ -67,7 +67,6 @@ class Job final : public RenderJob {
           in_hand_(scheduler.workers()),
           totals_(scheduler.workers()),
           left_(film_.window(), false) {
-        costs_.tile_seconds.assign(tiles_.size(), 0);
         begin_pass();
     }
 
@@ -94,10 +93,11 @@ class Job final : public RenderJob {
         const Clock::time_point start = Clock::now();
         if (!complete_ && !cancelled()) {
             if (prepared(deadline)) {
-                const Clock::time_point render_start = Clock::now();
+                step_start_ = Clock::now();
                 const std::clock_t processor_start = std::clock();
                 render_until(deadline);
-                costs_.wall_seconds += seconds_since(render_start);
+                steps_seconds_ += seconds_since(*step_start_);
+                step_start_.reset();
                 render_processor_seconds_ +=
                     static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
             }
@@ -150,8 +150,10 @@ class Job final : public RenderJob {
     }
 
   private:
-    [[nodiscard]] double render_seconds() const {
-        return render_seconds_before_ + costs_.wall_seconds;
+    [[nodiscard]] double render_seconds() const { return render_seconds_before_ + steps_seconds_; }
+    /// That of the step that goes on too.
+    [[nodiscard]] double render_seconds_now() const {
+        return render_seconds() + (step_start_ ? seconds_since(*step_start_) : 0);
     }
 
     /// What a tile on its way adds to a state: its finished pixels, and all rays.
@@ -205,7 +207,11 @@ class Job final : public RenderJob {
         }
         film_.restore(std::move(state.planes), std::move(state.done));
         pass_.active = &left_;
-        if (left_.count() == 0) begin_pass();
+        if (left_.count() > 0) return true;
+        while (const std::uint32_t parts = plan_->due(film_)) {
+            for (std::uint32_t part = 0; part < parts; ++part) plan_->work_out(part);
+        }
+        begin_pass();
         return true;
     }
 
@@ -248,13 +254,36 @@ class Job final : public RenderJob {
     /// Goes on with the pass, and with those after it.
     void render_until(Deadline deadline) {
         while (!complete_) {
-            scheduler_->run([&](std::uint32_t worker) { work(worker, deadline); });
-            const bool all_taken = next_tile_.load(std::memory_order_relaxed) >= tiles_.size();
-            const bool none_in_hand = std::all_of(in_hand_.begin(), in_hand_.end(),
-                                                  [](const auto& tile) { return tile == nullptr; });
-            if (!all_taken || !none_in_hand) return;
+            if (!pass_over_) {
+                scheduler_->run([&](std::uint32_t worker) { work(worker, deadline); });
+                pass_over_ = next_tile_.load(std::memory_order_relaxed) >= tiles_.size() &&
+                             std::all_of(in_hand_.begin(), in_hand_.end(),
+                                         [](const auto& tile) { return tile == nullptr; });
+            }
+            if (!pass_over_ || !look(deadline)) return;
             begin_pass();
             if (cancelled() || Clock::now() >= deadline) return;
+        }
+    }
+
+    /// Between passes: works out what the plan asks for. False if there was no time for it all.
+    bool look(Deadline deadline) {
+        while (true) {
+            if (next_part_.load(std::memory_order_relaxed) >= parts_) {
+                parts_ = plan_->due(film_);
+                next_part_.store(0, std::memory_order_relaxed);
+                if (parts_ == 0) return true;
+            }
+            scheduler_->run([&](std::uint32_t) {
+                const FpEnvironment environment;
+                StopCheck stop(cancelled_, deadline);
+                do {
+                    const std::uint32_t part = next_part_.fetch_add(1, std::memory_order_relaxed);
+                    if (part >= parts_) return;
+                    plan_->work_out(part);
+                } while (!stop.now());
+            });
+            if (next_part_.load(std::memory_order_relaxed) < parts_) return false;
         }
     }
 
@@ -263,10 +292,12 @@ class Job final : public RenderJob {
         const FpEnvironment environment;
         if (begun_) last_plan_ = plan_->bytes();
         begun_ = true;
-        const std::optional<Pass> pass = tiles_.empty() ? std::nullopt : plan_->next(film_, costs_);
+        const std::optional<Pass> pass =
+            tiles_.empty() ? std::nullopt : plan_->next(film_, render_seconds_now());
         complete_ = !pass.has_value();
         if (complete_) return;
         pass_ = pass->samples;
+        pass_over_ = false;
         film_.begin_pass(pass->scramble);
         next_tile_.store(0, std::memory_order_relaxed);
     }
@@ -282,7 +313,6 @@ class Job final : public RenderJob {
             if (pixels == 0) continue;
             auto work = std::make_unique<TileWork>();
             work->tile = tile;
-            work->index = next;
             work->pass = pass_;
             work->pixels = pixels;
             return work;
@@ -298,9 +328,7 @@ class Job final : public RenderJob {
         do {
             if (tile == nullptr) tile = take_tile();
             if (tile == nullptr) return;
-            const Clock::time_point start = Clock::now();
             renderer_->render_tile(*tile, film_, stop);
-            costs_.tile_seconds[tile->index] += seconds_since(start);
             if (!tile->done()) return;
             totals_[worker].add(*tile);
             tile.reset();
@@ -344,14 +372,19 @@ class Job final : public RenderJob {
     std::vector<Tile> tiles_;
     std::unique_ptr<PassPlan> plan_;
     SamplePass pass_;
-    PassCosts costs_;
     std::vector<std::unique_ptr<TileWork>> in_hand_;  ///< by worker
     std::vector<Totals> totals_;                      ///< by worker
     std::unique_ptr<TileRenderer> renderer_;
     std::atomic<std::size_t> next_tile_ = 0;
+    bool pass_over_ = false;  ///< all tiles of it are done
+    // Of what is worked out between passes.
+    std::atomic<std::uint32_t> next_part_ = 0;
+    std::uint32_t parts_ = 0;
     std::atomic<bool> cancelled_ = false;
     std::uint64_t bytes_ = 0;
     double prepare_seconds_ = 0;
+    std::optional<Clock::time_point> step_start_;  ///< of a step that goes on with passes
+    double steps_seconds_ = 0;
     double render_processor_seconds_ = 0;
     double seconds_ = 0;
     // Of a job that goes on with what another has done.

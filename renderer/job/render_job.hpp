@@ -43,8 +43,8 @@ class RenderJob {
     /// does that and nothing else, and overruns its deadline by as long as it takes: about a second
     /// for a mesh of a million triangles. Cancelled meanwhile, by a signal or another thread, it
     /// ends within some 50 ms (measured for that mesh, most of it to give memory back).
-    /// Between rounds of a picture with an error to reach all pixels are looked at, some 0.3 us
-    /// each, in one go. Results do not depend on deadlines, threads or tile size. Throws only if
+    /// The last step of a picture that tells its error overruns by some 0.3 us a pixel, to sum it
+    /// up. Results do not depend on deadlines, threads or tile size. Throws only if
     /// memory runs out: then what there is can still be read, but the job must take no other step.
     virtual Progress step(Deadline deadline) = 0;
     /// May be called from another thread or a signal handler; the running step returns soon.

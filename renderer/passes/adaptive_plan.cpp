@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
-#include "ir/math/elementary.hpp"
 #include "renderer/estimate/summary.hpp"
+#include "renderer/passes/adaptive_forecast.hpp"
 #include "renderer/passes/adaptive_rounds.hpp"
 #include "renderer/passes/pass_plan.hpp"
 #include "renderer/passes/plan_bytes.hpp"
@@ -28,23 +27,54 @@ class AdaptivePlan final : public PassPlan {
             each_pixel(tile, [this](std::size_t i) { active_.bytes()[i] = 1; });
         }
         level_.assign(active_.bytes().size(), 0);
-        width_.assign(active_.bytes().size(), 0);
-        expected_ = static_cast<double>(pixels_) * kFewestSamples * (pilot_ ? 2 : 1);
+        width_.assign(active_.bytes().size(), -1);
+        expected_ = static_cast<double>(pixels_) * kFewestSamples;
     }
 
-    std::optional<Pass> next(Film& film, const PassCosts& costs) override {
+    std::uint32_t due(const Film& film) override {
+        if (final_ || scramble_ < kScrambles || looked_ == Looked::kWhole) return 0;
+        if (looked_ == Looked::kNot) {
+            intervals_.emplace(*film.sums(), active_, window_.x1 - window_.x0, goal_.shown_as_srgb);
+            looked_ = Looked::kEstimates;
+            return intervals_->rows();
+        }
+        if (looked_ == Looked::kEstimates) {
+            now_.assign(active_.bytes().size(), -1);
+            looked_ = Looked::kWidths;
+            return intervals_->rows();
+        }
+        looked_ = Looked::kWhole;
+        return 0;
+    }
+
+    void work_out(std::uint32_t part) override {
+        if (looked_ == Looked::kEstimates) return intervals_->estimate_row(part);
+        const std::size_t width = window_.x1 - window_.x0;
+        for (std::size_t i = part * width; i < (part + 1) * width; ++i) {
+            if (active_.bytes()[i] == 0) continue;
+            now_[i] = static_cast<float>(intervals_->half_width(i, std::max(round_, 1U)));
+        }
+    }
+
+    std::optional<Pass> next(Film& film, double seconds) override {
         if (film.sums() == nullptr) film.begin_sums(kScrambles);
-        if (!final_ && scramble_ == kScrambles && !begin_round(film, costs)) {
+        look_at_the_clock(seconds);
+        if (!final_ && scramble_ == kScrambles && !begin_round(*film.sums(), seconds)) {
             if (!pilot_) return std::nullopt;
             begin_final(film);
         }
-        return final_ ? next_final() : next_of_round();
+        return final_ ? next_final() : next_of_round(seconds);
     }
 
     [[nodiscard]] std::uint64_t expected_samples() const override {
-        return static_cast<std::uint64_t>(expected_);
+        return static_cast<std::uint64_t>(expected_ * (pilot_ ? 2 : 1));
     }
-    [[nodiscard]] std::optional<Forecast> forecast() const override { return forecast_; }
+    [[nodiscard]] std::optional<Forecast> forecast() const override {
+        std::optional<Forecast> forecast = forecast_.forecast();
+        // All of a pilot's samples are taken again.
+        if (forecast && pilot_) forecast->seconds *= 2;
+        return forecast;
+    }
     [[nodiscard]] std::optional<Achieved> achieved() const override { return achieved_; }
 
     [[nodiscard]] std::vector<std::uint8_t> bytes() const override {
@@ -52,10 +82,9 @@ class AdaptivePlan final : public PassPlan {
         writer.put(final_);
         writer.put(round_);
         writer.put(final_ ? final_level_ - 1 : scramble_ - 1);
-        writer.put(first_mean_square_);
         writer.put(expected_);
-        writer.put(forecast_.has_value());
-        writer.put(forecast_.value_or(Forecast{}));
+        writer.put(taken_ - pass_samples_);
+        writer.put(forecast_);
         writer.put(achieved_.has_value());
         writer.put(achieved_.value_or(Achieved{}));
         writer.put_all(level_.data(), level_.size());
@@ -65,20 +94,17 @@ class AdaptivePlan final : public PassPlan {
 
     [[nodiscard]] bool restore(const std::vector<std::uint8_t>& bytes) override {
         PlanReader reader(bytes);
-        bool has_forecast = false;
         bool has_achieved = false;
         std::uint32_t at = 0;
-        Forecast forecast;
         Achieved achieved;
         const bool read = reader.get(final_) && reader.get(round_) && reader.get(at) &&
-                          reader.get(first_mean_square_) && reader.get(expected_) &&
-                          reader.get(has_forecast) && reader.get(forecast) &&
+                          reader.get(expected_) && reader.get(taken_) && reader.get(forecast_) &&
                           reader.get(has_achieved) && reader.get(achieved) &&
                           reader.get_all(level_.data(), level_.size()) &&
                           reader.get_all(width_.data(), width_.size()) && reader.at_end();
         if (!read || at > kMostLooks || round_ > kMostLooks) return false;
         (final_ ? final_level_ : scramble_) = at;
-        if (has_forecast) forecast_ = forecast;
+        begun_elsewhere_ = true;
         if (has_achieved) achieved_ = achieved;
         for (const Tile& tile : tiles_) {
             each_pixel(tile,
@@ -95,7 +121,7 @@ class AdaptivePlan final : public PassPlan {
         }
     }
 
-    [[nodiscard]] Pass next_of_round() {
+    [[nodiscard]] Pass next_of_round(double seconds) {
         Pass pass;
         pass.scramble = scramble_++;
         pass.samples.seed = scramble_seed(seed_, pass.scramble);
@@ -103,32 +129,47 @@ class AdaptivePlan final : public PassPlan {
         pass.samples.first = round_ == 0 ? 0 : scramble_samples(round_ - 1, goal_.most_samples);
         pass.samples.count = scramble_samples(round_, goal_.most_samples) - pass.samples.first;
         pass.samples.active = &active_;
+        pass_start_ = begun_elsewhere_ ? -1 : seconds;
+        begun_elsewhere_ = false;
+        pass_samples_ = static_cast<double>(active_.count()) * pass.samples.count;
+        taken_ += pass_samples_;
         return pass;
     }
 
+    /// Once the second pass over the pixels of round 2 is over: they are no easy ones, and before
+    /// the first there was a look.
+    void look_at_the_clock(double seconds) {
+        if (round_ < 2 || scramble_ < 2 || final_ || pass_start_ < 0 || forecast_.forecast())
+            return;
+        forecast_.set_costs(seconds, taken_, seconds - pass_start_, pass_samples_);
+    }
+
     /// After a round: false if no other is needed.
-    bool begin_round(const Film& film, const PassCosts& costs) {
+    bool begin_round(const ScrambleSums& sums, double seconds) {
+        looked_ = Looked::kNot;
+        intervals_.reset();
         scramble_ = 0;
-        const Intervals intervals(*film.sums(), window_.x1 - window_.x0, goal_.shown_as_srgb);
         if (round_ == 0) {
-            first_mean_square_ = intervals.mean_square();
+            width_ = now_;
             round_ = 1;
             return true;
         }
         const bool more = round_ < kMostLooks && scramble_samples(round_ + 1, goal_.most_samples) >
                                                      scramble_samples(round_, goal_.most_samples);
-        if (round_ == 1) predict(intervals, costs);
-        // Decided for all before any is taken out: neighbours are asked about each other.
+        if (round_ == 1) {
+            forecast_.set_widths(width_, now_, goal_);
+            expected_ = forecast_.samples();
+        }
         for (std::size_t i = 0; i < level_.size(); ++i) {
             if (active_.bytes()[i] == 0) continue;
-            const double width = intervals.half_width(i, round_);
-            if (more && width > goal_.error) continue;
+            if (more && now_[i] > goal_.error) continue;
             level_[i] = static_cast<std::uint8_t>(round_);
-            width_[i] = static_cast<float>(width);
+            width_[i] = now_[i];
             active_.bytes()[i] = 0;
         }
         if (active_.count() == 0) {
-            conclude(*film.sums());
+            if (!forecast_.forecast()) forecast_.set_costs(seconds);
+            conclude(sums);
             return false;
         }
         ++round_;
@@ -141,53 +182,7 @@ class AdaptivePlan final : public PassPlan {
         for (const float width : width_) {
             if (width > goal_.error) ++achieved_->beyond_goal;
         }
-        achieved_->forecast = forecast_;
-    }
-
-    /// What the rest will take if errors go on falling as they fell from round 0 to round 1.
-    void predict(const Intervals& intervals, const PassCosts& costs) {
-        const double now = intervals.mean_square();
-        // Of the error, in powers of the samples: 1/2 is plain chance, 3/2 the best of smooth ones.
-        const double slope =
-            now > 0 && first_mean_square_ > 0
-                ? std::clamp(math::log(first_mean_square_ / now) / math::log(2) / 2, 0.5, 1.5)
-                : 0.5;
-        const double factor = math::exp(-slope * math::log(2));
-        double samples = 0;
-        double tile_seconds = 0;
-        double expected_seconds = 0;
-        for (std::size_t t = 0; t < tiles_.size(); ++t) {
-            double of_tile = 0;
-            each_pixel(tiles_[t],
-                       [&](std::size_t i) { of_tile += expected_of(intervals, i, factor); });
-            samples += of_tile;
-            const double seconds = costs.tile_seconds[t];
-            tile_seconds += seconds;
-            const auto taken = static_cast<double>(tiles_[t].pixels() * kFewestSamples);
-            expected_seconds += seconds * ((pilot_ ? 2 : 1) * of_tile / taken);
-        }
-        expected_ = samples * (pilot_ ? 2 : 1);
-        Forecast forecast;
-        forecast.samples = samples / static_cast<double>(std::max<std::uint64_t>(pixels_, 1));
-        if (tile_seconds > 0) {
-            forecast.seconds = costs.wall_seconds * expected_seconds / tile_seconds;
-        }
-        forecast_ = forecast;
-    }
-
-    /// Samples of a pixel, at the first look, if its error falls by `factor` from look to look.
-    [[nodiscard]] double expected_of(const Intervals& intervals, std::size_t pixel,
-                                     double factor) const {
-        double width = intervals.half_width(pixel, 1);
-        std::uint32_t round = 1;
-        while (width > goal_.error && round < kMostLooks &&
-               scramble_samples(round + 1, goal_.most_samples) >
-                   scramble_samples(round, goal_.most_samples)) {
-            width *=
-                factor * intervals.standard_errors(round + 1) / intervals.standard_errors(round);
-            ++round;
-        }
-        return static_cast<double>(scramble_samples(round, goal_.most_samples)) * kScrambles;
+        achieved_->forecast = forecast();
     }
 
     void begin_final(Film& film) {
@@ -223,14 +218,23 @@ class AdaptivePlan final : public PassPlan {
     PixelMask active_;
     std::uint64_t pixels_ = 0;
     std::vector<std::uint8_t> level_;  ///< the round after which a pixel was done; 0: it is not
-    std::vector<float> width_;         ///< half of its interval's then
+    std::vector<float> width_;  ///< half of its interval's then; after round 0, of all pixels
     std::uint32_t round_ = 0;
     std::uint32_t scramble_ = 0;  ///< the next one of the round
     bool final_ = false;
     std::uint32_t final_level_ = 0;
-    double first_mean_square_ = 0;
-    double expected_ = 0;
-    std::optional<Forecast> forecast_;
+    double expected_ = 0;  ///< samples of all rounds
+    double taken_ = 0;     ///< of these, those of the passes that were begun
+    // Of the pass that goes on.
+    double pass_samples_ = 0;
+    double pass_start_ = -1;  ///< seconds; below 0: another program began it
+    bool begun_elsewhere_ = false;
+    AdaptiveForecast forecast_;
+    // The look after a round.
+    enum class Looked : std::uint8_t { kNot, kEstimates, kWidths, kWhole };
+    Looked looked_ = Looked::kNot;  ///< what is worked out, or is being worked out
+    std::optional<Intervals> intervals_;
+    std::vector<float> now_;  ///< half widths of the pixels that are not done; else below 0
     std::optional<Achieved> achieved_;
 };
 

@@ -2,6 +2,7 @@
 #include "renderer/passes/adaptive_rounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "renderer/estimate/pixel_error.hpp"
@@ -15,18 +16,42 @@ std::uint32_t scramble_samples(std::uint32_t round, std::uint32_t most) {
         std::min<std::uint64_t>(whole, std::max(most, kFewestSamples)) / kScrambles);
 }
 
-Intervals::Intervals(const ScrambleSums& sums, std::uint32_t width, bool light)
+double standard_errors(std::uint32_t look) {
+    static const auto kQuantiles = [] {
+        std::array<double, kMostLooks + 1> quantiles{};
+        for (std::uint32_t k = 1; k <= kMostLooks; ++k) {
+            quantiles[k] = student_quantile(miss_probability(k), kScrambles - 1);
+        }
+        return quantiles;
+    }();
+    return kQuantiles[look];
+}
+
+Intervals::Intervals(const ScrambleSums& sums, const PixelMask& active, std::uint32_t width,
+                     bool light)
     : sums_(&sums),
+      active_(&active),
       width_(width),
       height_(width == 0 ? 0 : sums.pixels() / width),
       light_(light),
-      of_one_(sums.pixels()) {
-    for (std::size_t i = 0; i < of_one_.size(); ++i) {
-        const PixelEstimate pixel = estimate_pixel(sums, i);
+      of_one_(sums.pixels()) {}
+
+void Intervals::estimate_row(std::uint32_t row) {
+    const std::size_t first = row == 0 ? 0 : row - 1;
+    const std::size_t last = std::min<std::size_t>(row + 2, height_);
+    const auto asked_near = [&](std::size_t x) {
+        for (std::size_t v = first; v < last; ++v) {
+            for (std::size_t u = x == 0 ? 0 : x - 1; u < std::min(x + 2, width_); ++u) {
+                if (active_->bytes()[v * width_ + u] != 0) return true;
+            }
+        }
+        return false;
+    };
+    for (std::size_t x = 0; x < width_; ++x) {
+        if (!asked_near(x)) continue;
+        const std::size_t i = row * width_ + x;
+        const PixelEstimate pixel = estimate_pixel(*sums_, i);
         of_one_[i] = pixel.variance * static_cast<double>(pixel.samples);
-    }
-    for (std::uint32_t look = 1; look <= kMostLooks; ++look) {
-        t_[look] = student_quantile(miss_probability(look), sums.scrambles() - 1);
     }
 }
 
@@ -52,22 +77,10 @@ double Intervals::half_width(std::size_t pixel, std::uint32_t look) const {
     for (std::size_t c = 0; c < 3; ++c) {
         const double variance = std::max(of_one_[pixel][c], around[c]) / own.samples;
         widest = std::max(
-            widest, displayed_half_width(own.mean[c], t_[look] * std::sqrt(variance), light_));
+            widest,
+            displayed_half_width(own.mean[c], standard_errors(look) * std::sqrt(variance), light_));
     }
     return widest;
-}
-
-double Intervals::mean_square() const {
-    double sum = 0;
-    double count = 0;
-    for (std::size_t i = 0; i < of_one_.size(); ++i) {
-        double samples = 0;
-        for (std::uint32_t k = 0; k < sums_->scrambles(); ++k) samples += sums_->samples_of(i, k);
-        if (samples == 0) continue;
-        sum += (of_one_[i].x + of_one_[i].y + of_one_[i].z) / samples;
-        count += 3;
-    }
-    return count == 0 ? 0 : sum / count;
 }
 
 }  // namespace cobble::renderer

@@ -25,7 +25,7 @@ class FixedPlan final : public PassPlan {
           scrambles_(std::clamp(settings.scrambles, 1U, samples_)),
           pixels_(pixels_of(tiles)) {}
 
-    std::optional<Pass> next(Film& film, const PassCosts& /*costs*/) override {
+    std::optional<Pass> next(Film& film, double /*seconds*/) override {
         if (scrambles_ > 1 && film.sums() == nullptr) film.begin_sums(scrambles_);
         if (next_ == scrambles_) {
             if (scrambles_ > 1) achieved_ = summarise(*film.sums(), {}, false);

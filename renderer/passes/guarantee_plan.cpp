@@ -33,7 +33,7 @@ class GuaranteePlan final : public PassPlan {
         expected_ = pixels_ * next_look_;
     }
 
-    std::optional<Pass> next(Film& film, const PassCosts& /*costs*/) override {
+    std::optional<Pass> next(Film& film, double /*seconds*/) override {
         if (film.sums() == nullptr) film.begin_sums(1, true);
         if (samples_ == next_look_ && !look(*film.sums())) return std::nullopt;
         Pass pass;

@@ -23,12 +23,6 @@ struct Pass {
     std::uint32_t scramble = 0;
 };
 
-/// What the passes so far took.
-struct PassCosts {
-    std::vector<double> tile_seconds;  ///< by tile of the render, of one worker each
-    double wall_seconds = 0;
-};
-
 class PassPlan {
   public:
     PassPlan() = default;
@@ -36,10 +30,14 @@ class PassPlan {
     PassPlan& operator=(const PassPlan&) = delete;
     virtual ~PassPlan() = default;
 
+    /// What there is to be worked out of the passes before next() can be asked: a number of parts,
+    /// which threads may work out at once. To be asked again once they are, until it gives 0.
+    virtual std::uint32_t due(const Film& /*film*/) { return 0; }
+    virtual void work_out(std::uint32_t /*part*/) {}
     /// The pass after all those before it, whose samples are in `film`; nothing at the end. What it
-    /// points to stays until the next call. Depends on the samples alone, never on what they cost,
-    /// which is for predictions. Cost: at the end of a round some 0.3 us a pixel.
-    virtual std::optional<Pass> next(Film& film, const PassCosts& costs) = 0;
+    /// points to stays until the next call. Depends on the samples alone, never on `seconds`, which
+    /// the passes so far took: that is for predictions. Cost: at the end some 0.3 us a pixel.
+    virtual std::optional<Pass> next(Film& film, double seconds) = 0;
     /// Samples over all pixels and passes, as far as it can be told: grows more true.
     [[nodiscard]] virtual std::uint64_t expected_samples() const = 0;
     [[nodiscard]] virtual std::optional<Forecast> forecast() const { return std::nullopt; }

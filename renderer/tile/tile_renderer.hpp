@@ -42,7 +42,6 @@ class PausedWork {
 /// A tile on its way. Used by one worker at a time, but not always by the same one.
 struct TileWork {
     Tile tile;
-    std::size_t index = 0;  ///< of the tile, among the render's
     SamplePass pass;
     std::uint64_t pixels = 0;       ///< of the tile that the pass asks for
     std::uint64_t pixels_done = 0;  ///< of those, in whatever order the renderer takes them

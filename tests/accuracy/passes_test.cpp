@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "renderer/film/scramble_sums.hpp"
+#include "renderer/job/render_job.hpp"
+#include "renderer/job/scheduler.hpp"
 #include "renderer/passes/adaptive_rounds.hpp"
 #include "renderer/passes/guarantee.hpp"
 #include "tests/render/everything.hpp"
@@ -126,6 +128,29 @@ TEST_CASE("rounds double the samples, and end where they are told to") {
     CHECK(scramble_samples(8, 4096) == 512);
     CHECK(scramble_samples(2, 100) == 12);
     CHECK(scramble_samples(32, 1U << 20U) == 1U << 17U);
+}
+
+TEST_CASE("a look at the error is put down at a deadline") {
+    SceneBuilder soft = soft_scene();
+    constexpr std::uint32_t kRows = 50;
+    const Settings goal =
+        with_goal(settings(4, kRows, 1, effects({Effect::kShadows, Effect::kSoftShadows})), 0.05,
+                  ErrorGoal::Method::kAdaptive);
+    const auto scheduler = renderer::make_serial_scheduler();
+    const auto job = renderer::start_render(soft.scene(), goal, *scheduler);
+    // Each step is over before it begins, and does the least that a step does.
+    std::uint32_t most_without_rays = 0;
+    std::uint32_t without_rays = 0;
+    std::uint64_t rays = 0;
+    for (renderer::Progress progress; !progress.done;) {
+        progress = job->step({});
+        without_rays = progress.rays == rays ? without_rays + 1 : 0;
+        most_without_rays = std::max(most_without_rays, without_rays);
+        rays = progress.rays;
+    }
+    CHECK(most_without_rays >= kRows);
+    const Rendered at_once = render(soft.scene(), goal);
+    CHECK(job->picture().color.values == at_once.picture.color.values);
 }
 
 TEST_CASE("an error to reach is reached, by as many samples as each pixel needs") {

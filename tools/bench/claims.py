@@ -10,7 +10,8 @@ coverage: over all scenes of scenes/, how many pixels of how many seeds are with
 very many samples: of all pixels, and of the hard ones, whose error at 64 samples deviates by more
 than E/2. Beside it the mean bias, with its 95 % interval over seeds (an equivalence test: the whole
 interval must lie within E/4).
-forecast: time and error that were expected, over those that came. Only of use on a quiet machine.
+forecast: time and error that were expected, over those that came, and the time of the whole program
+over the budget. Only of use on a quiet machine.
 rare: a speck so small that one sample in 500 sees it: what an interval of 64 samples misses, as
 --error does, and what --guarantee does not.
 """
@@ -23,6 +24,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -110,7 +112,7 @@ def coverage(options):
 
 def forecast(options):
     print(f"{'scene':<28}{'asked':>14}{'expected s':>12}{'took s':>9}{'ratio':>7}"
-          f"{'expected error':>16}{'reached':>10}{'ratio':>7}")
+          f"{'expected error':>16}{'reached':>10}{'ratio':>7}{'of budget':>11}")
     with tempfile.TemporaryDirectory() as folder:
         for scene in scenes():
             name = os.path.relpath(scene, os.path.join(ROOT, "scenes"))
@@ -120,14 +122,16 @@ def forecast(options):
             expected = float(re.search(r"\(expected .* and ([\d.]+) s\)", said)[1])
             print(f"{name:<28}{'--error 0.02':>14}{expected:>12.2f}{seconds:>9.2f}"
                   f"{seconds / expected:>7.2f}", flush=True)
+            begin = time.monotonic()
             _, said = render(options.program, scene, folder, "--size", options.size,
                              "--budget", "4")
+            whole = time.monotonic() - begin
             told = re.search(r"expects ([\d.]+) s and an error of ([\d.e-]+)", said)
             rms = float(re.search(r"error: ([\d.e-]+) \(root", said)[1])
             seconds = float(re.search(r"rays in ([\d.]+) s", said)[1])
             print(f"{'':<28}{'--budget 4':>14}{float(told[1]):>12.2f}{seconds:>9.2f}"
                   f"{seconds / float(told[1]):>7.2f}{float(told[2]):>16.2g}{rms:>10.2g}"
-                  f"{rms / float(told[2]):>7.2f}", flush=True)
+                  f"{rms / float(told[2]):>7.2f}{whole / 4:>11.2f}", flush=True)
 
 
 RARE = """

@@ -109,6 +109,9 @@ class Render {
             return "'--shard' does not go with '--error': a pixel's samples depend on those of its "
                    "neighbours, which are in other parts";
         }
+        if (shard && shard->count > 1 && options_.accuracy.budget > 0) {
+            return "'--shard' does not go with '--budget': each part would take samples of its own";
+        }
         if (options_.stats == "-") {
             return "'--stats' wants a file, and does not write to standard output (./- is a file "
                    "of that name)";
