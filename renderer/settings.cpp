@@ -36,7 +36,7 @@ std::string fingerprint(const Settings& settings) {
         add(goal->error);
         add_enum(goal->method);
         add(goal->most_samples);
-        add(goal->shown_as_srgb);
+        add(settings.shown_as_srgb);
     }
     add(settings.bounces);
     add(settings.seed);

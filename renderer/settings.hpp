@@ -34,7 +34,6 @@ struct ErrorGoal {
     double error = 0.01;  ///< half the width of each pixel's 95 % interval, in display values
     Method method = Method::kAdaptive;
     std::uint32_t most_samples = 1U << 16U;  ///< a pixel; more are not taken, whatever the error
-    bool shown_as_srgb = false;              ///< the picture is light, and encoded to be shown
 };
 
 // What is added here and changes pixels belongs in fingerprint() and its test.
@@ -49,6 +48,8 @@ struct Settings {
     /// than one say how large the picture's error is. The first ones take what does not go evenly.
     std::uint32_t scrambles = 1;
     std::optional<ErrorGoal> goal;  ///< if set, `samples` and `scrambles` are not read
+    /// The picture is light, and encoded to be shown: its errors are those of what is shown.
+    bool shown_as_srgb = false;
     std::uint32_t bounces = 4;
     std::uint64_t seed = 0;
     std::uint64_t salts = 0;  ///< as SamplePass has them: other numbers for some kinds of draws
@@ -59,6 +60,7 @@ struct Settings {
     /// bits, slower. For tests.
     bool general_stages = false;
     std::uint32_t tile_size = 32;
+    bool time_stages = false;  ///< look at the clock between stages: see StageClock
     ir::Effects effects;  ///< what to simulate; ir::derive_effects, then the command line's word
     std::optional<ir::TextureFilter> texture_filter;  ///< over every material's own
 

@@ -75,6 +75,7 @@ class CompatRenderer : public TileRenderer {
 
     void render_tile(TileWork& work, Film& film, StopCheck& stop) const override {
         if (work.done()) return;
+        work.clock.enter(TimedStage::kRayByRay);
         if (!work.paused) {
             work.paused = std::make_unique<PausedTile>(scene_.rules, settings_, work.tile);
         }

@@ -58,7 +58,7 @@ class Chooser {
         while (few->prepare_seconds + few->of_one * few->samples * 4 < kTrialPart * seconds_ &&
                few->samples < kMostSamples / 8.0) {
             before = few;
-            few = try_with(settings_, 4 * static_cast<std::uint32_t>(few->samples));
+            few = try_with(settings_, static_cast<std::uint32_t>(uneven_rounds(4 * few->samples)));
             if (!few) return std::nullopt;
         }
         const double slope = before ? slope_between(*before, *few) : 0.5;
@@ -90,7 +90,7 @@ class Chooser {
     [[nodiscard]] double part_samples(const Trial& few) const {
         const double affordable =
             few.of_one > 0 ? kPartTrial * seconds_ * parts() / few.of_one : kMostSamples;
-        return whole_rounds(std::min(affordable, samples_for(few) / 2));
+        return uneven_rounds(std::min(affordable, samples_for(few) / 2));
     }
 
     /// The whole picture's time and error go on as those of a part of it do.
@@ -121,6 +121,13 @@ class Chooser {
 
     [[nodiscard]] double whole_rounds(double samples) const {
         return std::floor(samples / settings_.scrambles) * settings_.scrambles;
+    }
+
+    /// An odd number of samples for each scramble. Powers of two are much more even than other
+    /// numbers of Sobol' points, and tell of none but themselves.
+    [[nodiscard]] double uneven_rounds(double samples) const {
+        const double rounds = std::floor(samples / settings_.scrambles);
+        return (std::fmod(rounds, 2) == 0 ? rounds - 1 : rounds) * settings_.scrambles;
     }
 
     [[nodiscard]] BudgetChoice choice_of(const Trial& trial, double slope) const {

@@ -22,9 +22,17 @@ struct CurveStudy {
 };
 std::optional<CurveStudy> study_curve(const Studio& studio, double until);
 
-/// Pictures of `samples` a pixel with and without each effect that is on.
-std::optional<std::vector<EffectBill>> study_effects(const Studio& studio, std::uint32_t samples,
-                                                     double until);
+/// One picture of `samples` a pixel.
+std::optional<StageBill> study_stages(const Studio& studio, std::uint32_t samples);
+
+/// Pictures of `samples` a pixel with and without each effect that is on, side by side at least
+/// three times over: machines are not equally quick all the time.
+struct EffectsStudy {
+    std::vector<EffectBill> bills;
+    std::uint32_t runs = 0;
+};
+std::optional<EffectsStudy> study_effects(const Studio& studio, std::uint32_t samples,
+                                          double until);
 
 /// Of the picture of `samples` a pixel.
 std::optional<NoiseBill> study_noise(const Studio& studio, std::uint32_t samples,
@@ -35,7 +43,8 @@ std::optional<PrecisionBill> study_precision(const Studio& studio, std::uint32_t
 std::optional<std::vector<Bias>> study_biases(const Studio& studio, std::uint32_t samples);
 
 /// Choices of samples, light samples, bounces and precision, each run, and which of them are on the
-/// front of time and error.
+/// front of time and error; those are run again, as many as there is time for, and what they were
+/// seen to take and to come to is then the mean of both.
 std::optional<std::vector<Rung>> study_rungs(const Studio& studio, const CurveStudy& curve,
                                              double until);
 

@@ -19,6 +19,7 @@
 #include "ir/scene/effects.hpp"
 #include "renderer/film/picture.hpp"
 #include "renderer/settings.hpp"
+#include "renderer/tile/stage_clock.hpp"
 
 namespace cobble::renderer {
 
@@ -49,12 +50,27 @@ struct ErrorCurve {
 /// What switching one effect off would save and lose, everything else as it is.
 struct EffectBill {
     ir::Effect effect = ir::Effect::kCount_;
-    std::uint64_t rays = 0;         ///< saved, of one picture
+    std::int64_t rays = 0;          ///< saved, of one picture; below 0 if more are traced without
     double seconds = kNotMeasured;  ///< saved, of one picture; below 0 if it takes longer without
-    double share = kNotMeasured;    ///< those seconds as a part of the picture's
-    double rmse = kNotMeasured;     ///< of the picture without the effect from the one with it
+    Interval seconds_band;
+    double share = kNotMeasured;  ///< those seconds as a part of the picture's
+    double rmse = kNotMeasured;   ///< of the picture without the effect from the one with it
     double flip = kNotMeasured;
     double maximum = kNotMeasured;  ///< largest difference of one channel of one pixel
+};
+
+/// Where the time of a picture goes. Together the stages and the waiting are the time of all
+/// workers, `workers` times `seconds`.
+struct StageBill {
+    struct Stage {
+        TimedStage stage = TimedStage::kCount_;
+        double seconds = kNotMeasured;  ///< of all workers
+    };
+    std::uint32_t samples = 0;  ///< a pixel; 0: no bill
+    std::uint32_t workers = 0;
+    double seconds = kNotMeasured;  ///< of rendering, without the preparation
+    std::vector<Stage> stages;      ///< those that there are, in the order of a ray's life
+    double waiting = kNotMeasured;  ///< of workers that had no tile to work on, and between tiles
 };
 
 /// How much of the variance of a pixel's value is due to one source of random numbers: alone, and
@@ -105,7 +121,7 @@ struct Rung {
     double error = kNotMeasured;  ///< RMSE from the best picture of the study: noise and bias
     double flip = kNotMeasured;   ///< from the same picture
     bool on_front = false;        ///< no other rung is both quicker and nearer
-    bool verified = false;        ///< seconds and error were measured in a run of its own
+    bool verified = false;        ///< both were measured again, with another seed
     std::string name;             ///< a word for people: "preview", "good", "final"
     Plane32 picture;              ///< display values, three channels; empty if not kept
     Plane32 error_map;  ///< largest channel's |difference| of each pixel, one channel; empty if not
@@ -118,7 +134,10 @@ struct CostReport {
     std::uint32_t threads = 0;
     std::uint64_t seed = 0;
     ErrorCurve curve;
-    std::vector<EffectBill> effects;  ///< of those that the scene calls for
+    StageBill stages;
+    std::vector<EffectBill> effects;   ///< of those that the scene calls for
+    std::uint32_t effect_samples = 0;  ///< a pixel, of the pictures with and without them
+    std::uint32_t effect_runs = 0;     ///< of each of these pictures
     NoiseBill noise;
     PrecisionBill precision;
     std::vector<Bias> biases;

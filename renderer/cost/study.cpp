@@ -12,6 +12,7 @@ namespace {
 
 // When each part should be over, of all the time.
 constexpr double kCurveUntil = 0.35;
+constexpr double kStagesPart = 0.03;
 constexpr double kEffectsUntil = 0.5;
 constexpr double kNoiseUntil = 0.75;
 constexpr double kRungsUntil = 1;
@@ -55,13 +56,21 @@ std::optional<CostReport> study_cost(const ir::Scene& scene, const Settings& set
     if (!curve) return std::nullopt;
     report.curve = curve->curve;
 
+    begin("stages");
+    const double stage_seconds = kStagesPart * options.seconds;
+    auto stages = study_stages(studio, samples_for(*curve, stage_seconds, 1));
+    if (!stages) return std::nullopt;
+    report.stages = std::move(*stages);
+
     begin("effects");
     double effects = 1;
     for (const ir::EffectState& state : settings.effects.states) effects += state.on ? 1 : 0;
     const std::uint32_t samples = samples_for(*curve, seconds_until(kEffectsUntil), 3 * effects);
     auto bills = study_effects(studio, samples, kEffectsUntil);
     if (!bills) return std::nullopt;
-    report.effects = std::move(*bills);
+    report.effects = std::move(bills->bills);
+    report.effect_samples = samples;
+    report.effect_runs = bills->runs;
 
     begin("noise");
     double sources = 1;

@@ -69,6 +69,15 @@ void name_front(std::vector<Rung>& rungs) {
     }
 }
 
+/// Whether the same samples with all bounces came to just that: then there is nothing to bounce.
+bool same_with_all_bounces(const std::vector<Rung>& rungs, const Choice& choice,
+                           const Distance& off) {
+    return std::any_of(rungs.begin(), rungs.end(), [&](const Rung& rung) {
+        return rung.samples == choice.samples && rung.bounces > choice.bounces &&
+               rung.precision == choice.precision && rung.error == off.rmse;
+    });
+}
+
 Plane32 difference_map(const Plane32& a, const Plane32& b) {
     Plane32 map;
     map.width = a.width;
@@ -83,40 +92,84 @@ Plane32 difference_map(const Plane32& a, const Plane32& b) {
     return map;
 }
 
+/// Until when all choices are tried; what is left of the time is for the front's second runs.
+constexpr double kTriedPart = 0.6;
+/// Of all the time: second runs that are no longer are made even when it is over.
+constexpr double kShortPart = 0.01;
+
+Settings settings_of(const Studio& studio, const Rung& rung) {
+    Settings settings = studio.settings(rung.samples);
+    settings.light_samples = std::max(rung.light_samples, 1U);
+    settings.bounces = rung.bounces;
+    settings.precision = rung.precision;
+    return settings;
+}
+
+/// Runs those of the front once more with other random numbers, while there is time: a choice that
+/// was merely lucky is not found so twice, and may make place for another. False if interrupted.
+bool verify_front(const Studio& studio, const CurveStudy& curve, double until,
+                  std::vector<Rung>& rungs) {
+    const auto due = [&](const Rung& rung) {
+        const double seconds = studio.options().seconds;
+        const bool affordable = studio.seconds() + rung.seconds < until * seconds ||
+                                rung.seconds < kShortPart * seconds;
+        return rung.on_front && !rung.verified && affordable;
+    };
+    mark_front(rungs);
+    for (auto at = std::find_if(rungs.begin(), rungs.end(), due); at != rungs.end();
+         at = std::find_if(rungs.begin(), rungs.end(), due)) {
+        Rung& rung = *at;
+        Settings settings = settings_of(studio, rung);
+        ++settings.seed;
+        const std::optional<Run> run = studio.run(settings);
+        if (!run) return false;
+        const Distance off = distance(studio, curve.best.color, run->picture.color);
+        rung.seconds = (rung.seconds + run->seconds()) / 2;
+        rung.error = std::sqrt((rung.error * rung.error + off.rmse * off.rmse) / 2);
+        rung.flip = (rung.flip + off.flip) / 2;
+        rung.verified = true;
+        mark_front(rungs);
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<std::vector<Rung>> study_rungs(const Studio& studio, const CurveStudy& curve,
                                              double until) {
     const bool soft = studio.settings().effects.on(ir::Effect::kSoftShadows);
+    const double begin = studio.seconds();
+    const double tried_until = begin + kTriedPart * (until * studio.options().seconds - begin);
+    bool bounces_matter = true;
     std::vector<Rung> rungs;
     for (const Choice& choice : choices_of(studio, curve)) {
-        if (rungs.size() >= 3 &&
-            studio.seconds() + choice.expected_seconds > until * studio.options().seconds) {
-            continue;
-        }
-        Settings settings = studio.settings(choice.samples);
-        settings.light_samples = choice.light_samples;
-        settings.bounces = choice.bounces;
-        settings.precision = choice.precision;
-        std::optional<Run> run = studio.run(settings);
-        if (!run) return std::nullopt;
-        // Where the best picture's own noise is as large, nothing can be told any more.
-        const Distance off = distance(studio, curve.best.color, run->picture.color);
-        if (off.rmse < 2 * curve.best_rms && rungs.size() >= 3) continue;
-        Rung& rung = rungs.emplace_back();
+        if (rungs.size() >= 3 && studio.seconds() + choice.expected_seconds > tried_until) continue;
+        if (choice.bounces < studio.settings().bounces && !bounces_matter) continue;
+        Rung rung;
         rung.samples = choice.samples;
         rung.light_samples = soft ? choice.light_samples : 0;
         rung.bounces = choice.bounces;
         rung.precision = choice.precision;
+        std::optional<Run> run = studio.run(settings_of(studio, rung));
+        if (!run) return std::nullopt;
+        const Distance off = distance(studio, curve.best.color, run->picture.color);
+        if (choice.bounces < studio.settings().bounces &&
+            same_with_all_bounces(rungs, choice, off)) {
+            bounces_matter = false;
+            continue;
+        }
+        // Where the best picture's own noise is as large, nothing can be told any more.
+        if (off.rmse < 2 * curve.best_rms && rungs.size() >= 3) continue;
         rung.seconds = run->seconds();
         rung.error = off.rmse;
         rung.flip = off.flip;
-        rung.verified = true;
-        if (!studio.options().keep_pictures) continue;
-        rung.error_map = difference_map(run->picture.color, curve.best.color);
-        rung.picture = std::move(run->picture.color);
+        if (studio.options().keep_pictures) {
+            rung.error_map = difference_map(run->picture.color, curve.best.color);
+            rung.picture = std::move(run->picture.color);
+        }
+        rungs.push_back(std::move(rung));
     }
-    mark_front(rungs);
+    if (!verify_front(studio, curve, until, rungs)) return std::nullopt;
     name_front(rungs);
     // Pictures of choices that nobody should take are of no use.
     for (Rung& rung : rungs) {

@@ -35,9 +35,11 @@ Achieved summarise(const ScrambleSums& sums, const HalfWidth& half_width, bool l
         if (pixel.samples == 0) continue;
         double width = 0;
         for (std::size_t c = 0; c < 3; ++c) {
-            squares += pixel.variance[c];
-            width = std::max(width, displayed_half_width(pixel.mean[c],
-                                                         t * std::sqrt(pixel.variance[c]), light));
+            const double deviation = std::sqrt(pixel.variance[c]);
+            const double shown =
+                light ? displayed_half_width(pixel.mean[c], deviation, light) : deviation;
+            squares += shown * shown;
+            width = std::max(width, displayed_half_width(pixel.mean[c], t * deviation, light));
         }
         widths.push_back(half_width ? half_width(i) : width);
         result.fewest = widths.size() == 1 ? pixel.samples : std::min(result.fewest, pixel.samples);

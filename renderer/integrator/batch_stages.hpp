@@ -10,6 +10,7 @@
 #include "renderer/integrator/batch_shading.hpp"
 #include "renderer/integrator/ray_batch.hpp"
 #include "renderer/integrator/seams.hpp"
+#include "renderer/tile/tile_renderer.hpp"
 
 namespace cobble::renderer {
 
@@ -25,14 +26,17 @@ class BatchStages {
     /// Goes one stage on; true once the colours are known. Draws for question `number` to light
     /// `light` at what the ray at a place of the batch met come from `draw(place, light, number)`.
     template <typename Draws>
-    bool step(Counters& counters, const Draws& draw) {
+    bool step(TileWork& work, const Draws& draw) {
+        Counters& counters = work.counters;
         switch (stage_) {
             case Stage::kMeet:
+                work.clock.enter(TimedStage::kHits);
                 if (pace_.closest<T>(scene_->geometry, rays_, hits_, counters)) {
                     stage_ = Stage::kLook;
                 }
                 break;
             case Stage::kLook:
+                work.clock.enter(TimedStage::kSurfaces);
                 if (!scene_->touching.empty()) {
                     for (std::size_t i = 0; i < rays_.size(); ++i) {
                         cross_seams(*scene_, rays_.ray(i), hits_[i]);
@@ -44,6 +48,7 @@ class BatchStages {
                     shading_.any_lit() && !scene_->lights.empty() ? Stage::kAsk : Stage::kColor;
                 break;
             case Stage::kAsk:
+                work.clock.enter(TimedStage::kLights);
                 shading_.ask(
                     light_, [&](std::size_t place) { return draw(place, light_, number_); },
                     counters);
@@ -55,14 +60,17 @@ class BatchStages {
                 stage_ = Stage::kShadow;
                 break;
             case Stage::kShadow:
+                work.clock.enter(TimedStage::kShadows);
                 if (!pace_.any<T>(scene_->geometry, shading_.shadow()->rays,
                                   shading_.shadow()->hidden_by, counters)) {
                     break;
                 }
+                work.clock.enter(TimedStage::kLights);
                 shading_.add_unhidden();
                 next_sample();
                 break;
             case Stage::kColor:
+                work.clock.enter(TimedStage::kColors);
                 shading_.color(colors_, counters);
                 return true;
         }

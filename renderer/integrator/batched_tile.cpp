@@ -45,7 +45,8 @@ bool BatchedTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
         if (stop.between_stages(work.counters.tests())) return false;
         if (!on_its_way_) {
             begin_batch(work);
-        } else if (batch_.step(work.counters, draw)) {
+        } else if (batch_.step(work, draw)) {
+            work.clock.enter(TimedStage::kOnward);
             scatter();
             end_batch(work, film);
         }
@@ -78,6 +79,7 @@ void BatchedTile<T>::begin_batch(TileWork& work) {
 
 template <typename T>
 void BatchedTile<T>::begin_camera_batch(TileWork& work) {
+    work.clock.enter(TimedStage::kCamera);
     camera_.begin(flights_.size() - begun_, from_camera_, work.counters);
     RayBatch<T>& rays = batch_.rays();
     rays = from_camera_;
@@ -116,6 +118,7 @@ void BatchedTile<T>::sort() {
 /// The next rays of the turn, all of one kind.
 template <typename T>
 void BatchedTile<T>::begin_turn_batch(TileWork& work) {
+    work.clock.enter(TimedStage::kOnward);
     RayBatch<T>& rays = batch_.rays();
     if (at_ == now_[turn_].size()) {
         ++turn_;
@@ -311,6 +314,7 @@ bool BatchedTile<T>::take_up() {
 /// Into the pixels.
 template <typename T>
 void BatchedTile<T>::land(TileWork& work, Film& film) {
+    work.clock.enter(TimedStage::kPixels);
     for (const Flight& flight : flights_) {
         const PixelPlace at = next_to_land_.place();
         const bool sound =

@@ -26,7 +26,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
         if (stop.between_stages(work.counters.tests())) return false;
         if (!on_its_way_) {
             begin(work);
-        } else if (batch_.step(work.counters, draw)) {
+        } else if (batch_.step(work, draw)) {
             land(work, film);
         }
     }
@@ -35,6 +35,7 @@ bool FlatTile<T>::run(TileWork& work, Film& film, StopCheck& stop) {
 
 template <typename T>
 void FlatTile<T>::begin(TileWork& work) {
+    work.clock.enter(TimedStage::kCamera);
     RayBatch<T>& rays = batch_.rays();
     camera_.begin_in_columns(most_, rays, work.counters);
     work.counters.camera_rays += rays.size();
@@ -83,6 +84,7 @@ void FlatTile<T>::land_one_by_one(TileWork& work, Film& film) {
 
 template <typename T>
 void FlatTile<T>::land(TileWork& work, Film& film) {
+    work.clock.enter(TimedStage::kPixels);
     const std::size_t count = batch_.rays().size();
     if (only_color_ && samples_ <= kBatchSize && loops_->all_finite(batch_.colors(), count)) {
         land_together(work, film);

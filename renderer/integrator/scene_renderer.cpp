@@ -26,6 +26,7 @@ template <typename T>
 void SceneRenderer<T>::render_tile(TileWork& work, Film& film, StopCheck& stop) const {
     switch (scene_.plan.tracing) {
         case Tracing::kRayByRay:
+            work.clock.enter(TimedStage::kRayByRay);
             return go_on<SingleTile<T>>(work, film, stop);
         case Tracing::kStraight:
             return go_on<FlatTile<T>>(work, film, stop);

@@ -12,7 +12,7 @@
 namespace cobble::renderer {
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kNoObject = ~0U;
 
 constexpr std::string_view kSize = "size";
@@ -110,6 +110,7 @@ StateWriter tally_part(const JobTally& tally, const ir::Scene& scene) {
     StateWriter part;
     for (const auto counter : kCounters) part.put(tally.counters.*counter);
     for (const auto time : kTimes) part.put(tally.*time);
+    for (const double seconds : tally.stages.seconds) part.put(seconds);
     part.put(tally.samples);
     part.put(tally.bad_sample_count);
     part.put(std::uint64_t{tally.bad_samples.size()});
@@ -124,6 +125,7 @@ bool read_tally(std::string_view bytes, JobTally& tally, const ir::Scene& scene)
     StateReader part(bytes);
     for (const auto counter : kCounters) tally.counters.*counter = part.take<std::uint64_t>();
     for (const auto time : kTimes) tally.*time = part.take<double>();
+    for (double& seconds : tally.stages.seconds) seconds = part.take<double>();
     tally.samples = part.take<std::uint64_t>();
     tally.bad_sample_count = part.take<std::uint64_t>();
     const auto count = part.take<std::uint64_t>();

@@ -17,6 +17,7 @@ namespace cobble::renderer {
 /// What was counted on the way to some of a picture's pixels.
 struct JobTally {
     Counters counters;
+    StageTimes stages;
     std::uint64_t samples = 0;
     std::uint64_t bad_sample_count = 0;
     std::vector<BadSample> bad_samples;

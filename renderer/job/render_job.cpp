@@ -80,6 +80,7 @@ class Job final : public RenderJob {
             return "its state is of another way to take samples";
         }
         before_.counters = state.tally.counters;
+        before_.stages = state.tally.stages;
         before_.samples = state.tally.samples;
         before_.bad_sample_count = state.tally.bad_sample_count;
         before_.bad_samples = std::move(state.tally.bad_samples);
@@ -125,6 +126,8 @@ class Job final : public RenderJob {
         // Until it has ended, the preparation's figures are still being written.
         stats.phases = {{"prepare", prepared_ ? prepare_seconds_ : 0, 0},
                         {"render", render_seconds(), render_processor_seconds_}};
+        stats.workers = scheduler_->workers();
+        stats.stages = sum.stages;
         stats.scene_bytes = prepared_ ? bytes_ : 0;
         if (prepared_) stats.notes = renderer_->notes();
         stats.achieved = plan_->achieved();
@@ -144,8 +147,8 @@ class Job final : public RenderJob {
         for (const auto& work : in_hand_) {
             if (work != nullptr) add_done_of(*work, sum, state.done);
         }
-        state.tally = {sum.counters, sum.samples,      sum.bad_sample_count,     sum.bad_samples,
-                       seconds_,     render_seconds(), render_processor_seconds_};
+        state.tally = {sum.counters,    sum.stages, sum.samples,      sum.bad_sample_count,
+                       sum.bad_samples, seconds_,   render_seconds(), render_processor_seconds_};
         return encode_state(state, *scene_);
     }
 
@@ -159,6 +162,7 @@ class Job final : public RenderJob {
     /// What a tile on its way adds to a state: its finished pixels, and all rays.
     void add_done_of(const TileWork& work, Totals& sum, std::vector<std::uint8_t>& done) const {
         sum.counters += work.counters;
+        sum.stages += work.clock.times();
         // A published program's samples are taken ahead of their pixels: whose the bad ones are is
         // not known. Such a tile begins anew.
         if (work.bad_sample_count > 0 && scene_->compat != ir::Compat::kNone) {
@@ -274,17 +278,24 @@ class Job final : public RenderJob {
                 next_part_.store(0, std::memory_order_relaxed);
                 if (parts_ == 0) return true;
             }
-            scheduler_->run([&](std::uint32_t) {
-                const FpEnvironment environment;
-                StopCheck stop(cancelled_, deadline);
-                do {
-                    const std::uint32_t part = next_part_.fetch_add(1, std::memory_order_relaxed);
-                    if (part >= parts_) return;
-                    plan_->work_out(part);
-                } while (!stop.now());
-            });
+            scheduler_->run([&](std::uint32_t worker) { work_out(worker, deadline); });
             if (next_part_.load(std::memory_order_relaxed) < parts_) return false;
         }
+    }
+
+    void work_out(std::uint32_t worker, Deadline deadline) {
+        const FpEnvironment environment;
+        StopCheck stop(cancelled_, deadline);
+        StageClock clock(settings_.time_stages);
+        clock.go_on();
+        clock.enter(TimedStage::kErrors);
+        do {
+            const std::uint32_t part = next_part_.fetch_add(1, std::memory_order_relaxed);
+            if (part >= parts_) break;
+            plan_->work_out(part);
+        } while (!stop.now());
+        clock.pause();
+        totals_[worker].stages += clock.times();
     }
 
     /// The next one; if there is none the picture is complete.
@@ -314,6 +325,7 @@ class Job final : public RenderJob {
             auto work = std::make_unique<TileWork>();
             work->tile = tile;
             work->pass = pass_;
+            work->clock = StageClock(settings_.time_stages);
             work->pixels = pixels;
             return work;
         }
@@ -328,7 +340,9 @@ class Job final : public RenderJob {
         do {
             if (tile == nullptr) tile = take_tile();
             if (tile == nullptr) return;
+            tile->clock.go_on();
             renderer_->render_tile(*tile, film_, stop);
+            tile->clock.pause();
             if (!tile->done()) return;
             totals_[worker].add(*tile);
             tile.reset();

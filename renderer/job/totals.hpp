@@ -14,12 +14,14 @@ namespace cobble::renderer {
 /// Sums over finished tiles; one a worker, so that nothing is shared while rays are traced.
 struct alignas(64) Totals {
     Counters counters;
+    StageTimes stages;
     std::uint64_t samples = 0;
     std::uint64_t bad_sample_count = 0;
     std::vector<BadSample> bad_samples;
 
     void add(const TileWork& work) {
         counters += work.counters;
+        stages += work.clock.times();
         samples += work.samples_done;
         bad_sample_count += work.bad_sample_count;
         bad_samples.insert(bad_samples.end(), work.bad_samples.begin(), work.bad_samples.end());
@@ -31,6 +33,7 @@ struct alignas(64) Totals {
     }
     void add(const Totals& other) {
         counters += other.counters;
+        stages += other.stages;
         samples += other.samples;
         bad_sample_count += other.bad_sample_count;
         bad_samples.insert(bad_samples.end(), other.bad_samples.begin(), other.bad_samples.end());

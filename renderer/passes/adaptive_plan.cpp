@@ -18,6 +18,7 @@ class AdaptivePlan final : public PassPlan {
         : seed_(settings.seed),
           salts_(settings.salts),
           goal_(*settings.goal),
+          light_(settings.shown_as_srgb),
           pilot_(settings.goal->method == ErrorGoal::Method::kUnbiased),
           window_(window_of(settings)),
           tiles_(tiles),
@@ -34,7 +35,7 @@ class AdaptivePlan final : public PassPlan {
     std::uint32_t due(const Film& film) override {
         if (final_ || scramble_ < kScrambles || looked_ == Looked::kWhole) return 0;
         if (looked_ == Looked::kNot) {
-            intervals_.emplace(*film.sums(), active_, window_.x1 - window_.x0, goal_.shown_as_srgb);
+            intervals_.emplace(*film.sums(), active_, window_.x1 - window_.x0, light_);
             looked_ = Looked::kEstimates;
             return intervals_->rows();
         }
@@ -178,7 +179,7 @@ class AdaptivePlan final : public PassPlan {
 
     void conclude(const ScrambleSums& sums) {
         const auto half_width = [this](std::size_t i) { return width_[i]; };
-        achieved_ = summarise(sums, half_width, goal_.shown_as_srgb);
+        achieved_ = summarise(sums, half_width, light_);
         for (const float width : width_) {
             if (width > goal_.error) ++achieved_->beyond_goal;
         }
@@ -212,6 +213,7 @@ class AdaptivePlan final : public PassPlan {
 
     std::uint64_t seed_, salts_;
     ErrorGoal goal_;
+    bool light_;
     bool pilot_;
     Crop window_;
     std::vector<Tile> tiles_;

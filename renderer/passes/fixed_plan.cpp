@@ -23,12 +23,13 @@ class FixedPlan final : public PassPlan {
           salts_(settings.salts),
           samples_(std::max(settings.samples, 1U)),
           scrambles_(std::clamp(settings.scrambles, 1U, samples_)),
+          light_(settings.shown_as_srgb),
           pixels_(pixels_of(tiles)) {}
 
     std::optional<Pass> next(Film& film, double /*seconds*/) override {
         if (scrambles_ > 1 && film.sums() == nullptr) film.begin_sums(scrambles_);
         if (next_ == scrambles_) {
-            if (scrambles_ > 1) achieved_ = summarise(*film.sums(), {}, false);
+            if (scrambles_ > 1) achieved_ = summarise(*film.sums(), {}, light_);
             return std::nullopt;
         }
         Pass pass;
@@ -62,6 +63,7 @@ class FixedPlan final : public PassPlan {
     std::uint64_t seed_, salts_;
     std::uint32_t samples_;
     std::uint32_t scrambles_;
+    bool light_;
     std::uint64_t pixels_;
     std::uint32_t next_ = 0;
     std::optional<Achieved> achieved_;

@@ -21,6 +21,7 @@ class GuaranteePlan final : public PassPlan {
         : seed_(settings.seed),
           salts_(settings.salts),
           goal_(*settings.goal),
+          light_(settings.shown_as_srgb),
           tiles_(tiles),
           active_(window_of(settings), false),
           next_look_(std::min(guarantee_fewest_samples(goal_.error), goal_.most_samples)) {
@@ -79,7 +80,7 @@ class GuaranteePlan final : public PassPlan {
             const double variance = std::max(square[c] - mean[c] * mean[c], 0.0) * (n / (n - 1));
             const double reach =
                 bernstein_half_width(variance, static_cast<std::uint32_t>(n), channel_miss(look));
-            widest = std::max(widest, displayed_half_width(mean[c], reach, goal_.shown_as_srgb));
+            widest = std::max(widest, displayed_half_width(mean[c], reach, light_));
         }
         return widest;
     }
@@ -126,6 +127,7 @@ class GuaranteePlan final : public PassPlan {
 
     std::uint64_t seed_, salts_;
     ErrorGoal goal_;
+    bool light_;
     std::vector<Tile> tiles_;
     PixelMask active_;
     std::uint64_t pixels_ = 0;

@@ -12,6 +12,7 @@
 #include "renderer/estimate/achieved.hpp"
 #include "renderer/scene/preparation_note.hpp"
 #include "renderer/tile/counters.hpp"
+#include "renderer/tile/stage_clock.hpp"
 
 namespace cobble::renderer {
 
@@ -38,6 +39,8 @@ struct Stats {
     std::vector<BadSample> bad_samples;  ///< the first 16 in pixel order
     std::vector<PreparationNote> notes;  ///< what preparing the geometry cost, by object
     std::vector<PhaseTime> phases;
+    std::uint32_t workers = 0;
+    StageTimes stages;                 ///< with Settings::time_stages; else all 0
     std::uint64_t scene_bytes = 0;     ///< geometry, tree and textures as rendered
     std::optional<Achieved> achieved;  ///< once complete, if the render can tell
 };

@@ -12,6 +12,7 @@
 
 #include "renderer/film/film.hpp"
 #include "renderer/sampling/sample_pass.hpp"
+#include "renderer/tile/stage_clock.hpp"
 #include "renderer/tile/stats.hpp"
 #include "renderer/tile/stop.hpp"
 
@@ -48,6 +49,7 @@ struct TileWork {
     std::unique_ptr<PausedWork> paused;
     std::uint64_t samples_done = 0;
     Counters counters;
+    StageClock clock{false};
     std::uint64_t bad_sample_count = 0;
     std::uint64_t bad_of_done = 0;       ///< those of pixels that are done, by end_pixels()
     std::vector<BadSample> bad_samples;  ///< the first kBadSamplesKept of the tile, in their order

@@ -155,7 +155,7 @@ TEST_CASE(
         for (const auto& [method, error, most] : {std::tuple{Method::kAdaptive, 0.03, 256U},
                                                   {Method::kUnbiased, 0.03, 256U},
                                                   {Method::kGuarantee, 0.4, 200U}}) {
-            s.goal = renderer::ErrorGoal{error, method, most, false};
+            s.goal = renderer::ErrorGoal{error, method, most};
             stops += check_stops(plain.scene(), s, 10 * seed);
         }
     }

@@ -51,7 +51,7 @@ std::vector<Change> changes_of_pixels() {
         },
         [](Settings& s) {
             s.goal = ErrorGoal{};
-            s.goal->shown_as_srgb = true;
+            s.shown_as_srgb = true;
         },
         [](Settings& s) { s.seed = 1; },
         [](Settings& s) { s.seed = ~std::uint64_t{0}; },
@@ -94,6 +94,8 @@ TEST_CASE("how a picture is made, and why an effect is on, leave the fingerprint
         [](Settings& s) { s.acceleration = Acceleration::kBruteForce; },
         [](Settings& s) { s.general_stages = true; },
         [](Settings& s) { s.tile_size = 8; },
+        [](Settings& s) { s.time_stages = true; },
+        [](Settings& s) { s.shown_as_srgb = true; },
         [](Settings& s) {
             s.crop = Crop{0, 0, 640, 480};
         },
@@ -115,11 +117,11 @@ TEST_CASE("how a picture is made, and why an effect is on, leave the fingerprint
 
 // A field that is added makes this fail: decide whether it belongs in the fingerprint.
 TEST_CASE("no field of the settings is forgotten") {
-    const auto& [width, height, crop, samples, light_samples, scrambles, goal, bounces, seed, salts,
-                 filter, precision, acceleration, general_stages, tile_size, effects,
-                 texture_filter, compat, shard_index, shard_count, want_depth, want_normals,
-                 want_albedo, want_sample_count] = Settings{};
-    const auto& [error, method, most_samples, shown_as_srgb] = ErrorGoal{};
+    const auto& [width, height, crop, samples, light_samples, scrambles, goal, shown_as_srgb,
+                 bounces, seed, salts, filter, precision, acceleration, general_stages, tile_size,
+                 time_stages, effects, texture_filter, compat, shard_index, shard_count, want_depth,
+                 want_normals, want_albedo, want_sample_count] = Settings{};
+    const auto& [error, method, most_samples] = ErrorGoal{};
     const auto& [shadows, jitter, tent, casting, pixelated, blurry, depth_min, depth_max] = compat;
     const bool as_they_are = width == 640 && !shadows && error == 0.01;
     CHECK(as_they_are);

@@ -5,6 +5,7 @@
     claims.py coverage PROGRAM [--seeds N] [--size WxH] [--error E] [--truth SAMPLES] [--unbiased]
     claims.py forecast PROGRAM [--size WxH]
     claims.py rare PROGRAM
+    claims.py bills PROGRAM [--size WxH]
 
 coverage: over all scenes of scenes/, how many pixels of how many seeds are within E of a picture of
 very many samples: of all pixels, and of the hard ones, whose error at 64 samples deviates by more
@@ -14,9 +15,12 @@ forecast: time and error that were expected, over those that came, and the time 
 over the budget. Only of use on a quiet machine.
 rare: a speck so small that one sample in 500 sees it: what an interval of 64 samples misses, as
 --error does, and what --guarantee does not.
+bills: what `cobble cost` says an effect takes, against renders with and without it; and whether the
+stages of a render add up to the time of its workers.
 """
 
 import argparse
+import json
 import math
 import os
 import re
@@ -164,10 +168,67 @@ def rare(options):
                   f"{missed} of {options.seeds} seeds", flush=True)
 
 
+def stats_of(program, scene, folder, *options):
+    path = os.path.join(folder, "stats.json")
+    render(program, scene, folder, "--stats", path, *options)
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def seconds_of(stats, *phases):
+    return sum(p["seconds"] for p in stats["phases"] if p["name"] in phases)
+
+
+def saving(program, scene, folder, effect, options, rounds=7):
+    """Rays, seconds and their 95 % reach, by renders side by side."""
+    differences = []
+    for _ in range(rounds):
+        both = [stats_of(program, scene, folder, *options, *more)
+                for more in ([], [f"--no-{effect}"])]
+        with_it, without = (seconds_of(s, "prepare", "render") for s in both)
+        differences.append(with_it - without)
+    rays = both[0]["rays"]["total"] - both[1]["rays"]["total"]
+    mean = sum(differences) / rounds
+    deviation = math.sqrt(sum((d - mean) ** 2 for d in differences) / (rounds - 1))
+    return rays, mean, 2.447 * deviation / math.sqrt(rounds)
+
+
+def bills(options):
+    print(f"{'scene':<28}{'effect':<16}{'bill s':>10}{'+-':>9}{'render s':>10}{'+-':>9}  agree"
+          f"{'rays':>12}{'same':>6}")
+    agreed = count = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for scene in scenes():
+            name = os.path.relpath(scene, os.path.join(ROOT, "scenes"))
+            study = json.loads(subprocess.run(
+                [options.program, "cost", scene, "--json", "--quiet", "--size", options.size,
+                 "--budget", "20"], capture_output=True, text=True, check=True).stdout)
+            size = ["--size", options.size, "--samples", str(study["effect_samples"])]
+            for bill in study["effects"]:
+                low, high = bill["seconds_band"]
+                rays, seconds, reach = saving(options.program, scene, folder, bill["effect"], size)
+                # Both are uncertain: their difference by the root of the sum of squares.
+                off = math.hypot((high - low) / 2, reach)
+                agrees = abs(seconds - bill["seconds"]) <= off
+                agreed += agrees
+                count += 1
+                print(f"{name:<28}{bill['effect']:<16}{bill['seconds']:>10.4f}"
+                      f"{(high - low) / 2:>9.4f}{seconds:>10.4f}{reach:>9.4f}"
+                      f"{'yes' if agrees else 'NO':>7}{rays:>12}"
+                      f"{'yes' if rays == bill['rays'] else 'NO':>6}", flush=True)
+                name = ""
+            stats = stats_of(options.program, scene, folder, "--size", options.size,
+                             "--samples", "64")
+            stages = sum(s["seconds"] for s in stats["stages"])
+            whole = stats["workers"] * seconds_of(stats, "render")
+            print(f"{'':<28}stages are {100 * stages / whole:.2f} % of the workers' time", flush=True)
+    print(f"{agreed} of {count} bills agree")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["coverage", "forecast", "rare"])
+    parser.add_argument("what", choices=["coverage", "forecast", "rare", "bills"])
     parser.add_argument("program")
     parser.add_argument("--seeds", type=int, default=100)
     parser.add_argument("--scenes", type=int, default=12)
@@ -176,8 +237,9 @@ def main():
     parser.add_argument("--truth", type=int, default=65536)
     parser.add_argument("--unbiased", action="store_true")
     options = parser.parse_args()
-    options.size = options.size or ("320x240" if options.what == "forecast" else "16x12")
-    {"coverage": coverage, "forecast": forecast, "rare": rare}[options.what](options)
+    options.size = options.size or ("16x12" if options.what == "coverage" else "320x240")
+    {"coverage": coverage, "forecast": forecast, "rare": rare, "bills": bills}[options.what](
+        options)
 
 
 if __name__ == "__main__":

@@ -96,6 +96,7 @@ std::uint64_t bytes_of_pixel(const AccuracyOptions& options) {
 void set_accuracy(const AccuracyOptions& options, bool shown_as_srgb,
                   renderer::Settings& settings) {
     settings.scrambles = options.scrambles;
+    settings.shown_as_srgb = shown_as_srgb;
     if (options.budget > 0 && !options.scrambles_given) {
         settings.scrambles = renderer::kScrambles;
     }
@@ -103,7 +104,6 @@ void set_accuracy(const AccuracyOptions& options, bool shown_as_srgb,
     renderer::ErrorGoal goal;
     goal.error = options.error;
     goal.most_samples = options.most_samples;
-    goal.shown_as_srgb = shown_as_srgb;
     using Method = renderer::ErrorGoal::Method;
     goal.method = options.unbiased    ? Method::kUnbiased
                   : options.guarantee ? Method::kGuarantee

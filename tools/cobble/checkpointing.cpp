@@ -78,6 +78,7 @@ Checkpointing::Started Checkpointing::start(const ir::Scene& scene,
             renderer::Resumed resumed =
                 renderer::resume_render(scene, settings, scheduler, checkpoint.state);
             started.job = std::move(resumed.job);
+            started.resumed = started.job != nullptr;
             if (!resumed.problem.empty()) {
                 started.problem =
                     fmt::format("cannot resume from {}: {}", options_.path, resumed.problem);

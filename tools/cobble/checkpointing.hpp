@@ -39,7 +39,8 @@ class Checkpointing {
     struct Started {
         std::unique_ptr<renderer::RenderJob> job;
         std::string problem;
-        bool anew = false;  ///< it was to be resumed, and there is no checkpoint
+        bool resumed = false;  ///< from the checkpoint
+        bool anew = false;     ///< it was to be resumed, and there is no checkpoint
     };
     Started start(const ir::Scene& scene, const renderer::Settings& settings,
                   renderer::Scheduler& scheduler);

@@ -178,6 +178,7 @@ class Render {
             settings.shard_index = options_.shard->index - 1;
             settings.shard_count = options_.shard->count;
         }
+        settings.time_stages = !options_.stats.empty();
         settings.want_depth = !options_.pictures.depth.empty();
         settings.want_normals = !options_.pictures.normals.empty();
         settings.want_albedo = !options_.pictures.albedo.empty();
@@ -210,8 +211,14 @@ class Render {
         }
         const InterruptGuard guard(job.get());
         renderer::Progress progress;
+        bool said_resumed = false;
         while (!progress.done) {
             progress = job->step(std::chrono::steady_clock::now() + kStep);
+            if (started.resumed && !said_resumed) {
+                said_resumed = true;
+                say(fmt::format("going on from {} at {:.0f} %\n", checkpointing_.path(),
+                                std::floor(progress.fraction * 100)));
+            }
             if (progress.forecast && !said_forecast_) {
                 said_forecast_ = true;
                 bar.clear();
@@ -328,7 +335,7 @@ class Render {
         // Last: what failed has the last word.
         int status = kDone;
         for (const driver::RenderTarget& target : targets_) {
-            const std::string problem = driver::write_target(target, picture, style());
+            const std::string problem = driver::write_target(target, picture, style(stats));
             if (problem.empty()) continue;
             driver::complain(problem);
             status = kFailure;
@@ -344,8 +351,13 @@ class Render {
         return status;
     }
 
-    [[nodiscard]] driver::TargetStyle style() const {
+    [[nodiscard]] driver::TargetStyle style(const renderer::Stats& stats) const {
         driver::TargetStyle style{view_.loaded.lowered.scene, view_.settings, {}, {}, false};
+        if (const renderer::ErrorGoal* const goal = settings_of_goal()) {
+            // All parts of a picture have one white.
+            style.most_samples =
+                stats.achieved && !options_.shard ? stats.achieved->most : goal->most_samples;
+        }
         if (const auto& range = options_.view.depth_range) {
             style.depth_range = std::pair(range->min, range->max);
         }
@@ -372,7 +384,7 @@ void add_outputs(CLI::App& sub, Options& options) {
     add("--normals", options.pictures.normals, "Shading normals");
     add("--albedo", options.pictures.albedo, "Colours of the surfaces before lighting");
     add("--sample-count", options.pictures.sample_count,
-        "Samples that each pixel took; white is all of them in 8-bit formats");
+        "Samples that each pixel took; white is the most in 8-bit formats");
     add_parsed(sub, "--depth-range", "MIN,MAX", "MIN,MAX with MIN below MAX, such as 2,10",
                parse_depth_range, options.view.depth_range,
                "Distances that are white and black in 8-bit formats (default: those there are)")

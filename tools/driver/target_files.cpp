@@ -13,6 +13,7 @@ namespace {
 
 // As many as each pixel is to take; a published program takes what its flags say.
 std::uint32_t samples_of(const TargetStyle& style) {
+    if (style.most_samples > 0) return style.most_samples;
     return style.scene.compat == ir::Compat::kNone
                ? style.settings.samples
                : renderer::compat_samples_per_pixel(style.scene, style.settings);

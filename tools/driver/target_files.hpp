@@ -21,6 +21,8 @@ struct TargetStyle {
     std::optional<std::pair<double, double>> depth_range;
     std::string transfer;   ///< --transfer: "srgb" encodes colours
     bool is_shard = false;  ///< the file says which part of the render it is
+    /// White in 8-bit pictures of sample counts; 0: the settings' samples.
+    std::uint32_t most_samples = 0;
 };
 
 /// Encodes the plane by the ending of the target's path and writes the file whole. Gives "" or what

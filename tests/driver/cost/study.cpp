@@ -39,12 +39,27 @@ void add_curve(CostReport& report) {
 void add_bills(CostReport& report) {
     using ir::Effect;
     report.effects = {
-        {Effect::kDepthOfField, 0, 0.0123, 0.043, 0.0312, 0.0418, 0.7821},
-        {Effect::kSoftShadows, 0, 0.0191, 0.066, 0.0207, 0.0263, 0.5112},
-        {Effect::kShadows, 4915200, 0.1012, 0.351, 0.1284, 0.1391, 0.8934},
-        {Effect::kReflection, 1203381, 0.0524, 0.182, 0.0713, 0.0655, 0.6471},
-        {Effect::kTextures, 0, -0.0011, -0.0038, 0.0891, 0.0977, 0.7012},
+        {Effect::kDepthOfField, 0, 0.0123, {0.0102, 0.0144}, 0.043, 0.0312, 0.0418, 0.7821},
+        {Effect::kSoftShadows, 0, 0.0191, {0.017, 0.0212}, 0.066, 0.0207, 0.0263, 0.5112},
+        {Effect::kShadows, 4915200, 0.1012, {0.0991, 0.1033}, 0.351, 0.1284, 0.1391, 0.8934},
+        {Effect::kReflection, 1203381, 0.0524, {0.0503, 0.0545}, 0.182, 0.0713, 0.0655, 0.6471},
+        {Effect::kTextures, 0, -0.0011, {-0.0032, 0.001}, -0.0038, 0.0891, 0.0977, 0.7012},
     };
+    report.effect_samples = 16;
+    report.effect_runs = 5;
+    using renderer::TimedStage;
+    report.stages = {16,
+                     2,
+                     0.288,
+                     {{TimedStage::kCamera, 0.031},
+                      {TimedStage::kHits, 0.187},
+                      {TimedStage::kSurfaces, 0.093},
+                      {TimedStage::kLights, 0.041},
+                      {TimedStage::kShadows, 0.151},
+                      {TimedStage::kColors, 0.012},
+                      {TimedStage::kOnward, 0.034},
+                      {TimedStage::kPixels, 0.009}},
+                     0.018};
     report.noise.samples = 16;
     report.noise.seeds = 16;
     report.noise.shares = {

@@ -112,7 +112,7 @@ std::vector<chart::Series> series_of(const CostReport& report) {
     }
     add(choices(report, true,
                 [](const renderer::Rung& rung) { return rung.on_front && !rung.verified; }),
-        "on the front, predicted", chart::Mark::kHollowDiamond);
+        "on the front, run once", chart::Mark::kHollowDiamond);
     add(choices(report, true,
                 [](const renderer::Rung& rung) { return rung.on_front && rung.verified; }),
         "on the front, verified", chart::Mark::kDiamond);

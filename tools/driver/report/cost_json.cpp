@@ -31,11 +31,24 @@ Json to_json(const renderer::ErrorCurve& curve) {
             {"points", std::move(points)}};
 }
 
+Json to_json(const renderer::StageBill& bill) {
+    if (bill.samples == 0) return nullptr;
+    Json stages = Json::array();
+    for (const auto& [stage, seconds] : bill.stages) {
+        stages.push_back({{"name", renderer::name_of(stage)}, {"seconds", number(seconds)}});
+    }
+    return {{"samples", bill.samples},
+            {"workers", bill.workers},
+            {"seconds", number(bill.seconds)},
+            {"stages", std::move(stages)},
+            {"waiting", number(bill.waiting)}};
+}
+
 Json to_json(const renderer::EffectBill& bill) {
     return {{"effect", ir::name_of(bill.effect)}, {"rays", bill.rays},
-            {"seconds", number(bill.seconds)},    {"share", number(bill.share)},
-            {"rmse", number(bill.rmse)},          {"flip", number(bill.flip)},
-            {"maximum", number(bill.maximum)}};
+            {"seconds", number(bill.seconds)},    {"seconds_band", to_json(bill.seconds_band)},
+            {"share", number(bill.share)},        {"rmse", number(bill.rmse)},
+            {"flip", number(bill.flip)},          {"maximum", number(bill.maximum)}};
 }
 
 Json to_json(const renderer::NoiseBill& noise) {
@@ -103,7 +116,10 @@ Json cost_to_json(const renderer::CostReport& report) {
                  {"study_seconds", number(report.study_seconds)},
                  {"pixels_per_degree", number(report.pixels_per_degree)},
                  {"curve", to_json(report.curve)},
+                 {"stages", to_json(report.stages)},
                  {"effects", list_of(report.effects)},
+                 {"effect_samples", report.effect_samples},
+                 {"effect_runs", report.effect_runs},
                  {"noise", to_json(report.noise)},
                  {"precision", to_json(report.precision)},
                  {"biases", list_of(report.biases)},

@@ -164,6 +164,7 @@ constexpr std::string_view kTerms =
 std::string cost_to_html(const CostReport& report) {
     const CostTable curve = curve_table(report);
     const CostTable rungs = rung_table(report);
+    const CostTable stages = stage_table(report);
     const CostTable effects = effect_table(report);
     const CostTable noise = noise_table(report);
     const CostTable precision = precision_table(report);
@@ -179,6 +180,7 @@ std::string cost_to_html(const CostReport& report) {
     html += contents({{curve.id, curve.title},
                       {"pictures", "pictures"},
                       {rungs.id, rungs.title},
+                      {stages.id, stages.title},
                       {effects.id, effects.title},
                       {noise.id, noise.title},
                       {precision.id, precision.title},
@@ -189,6 +191,7 @@ std::string cost_to_html(const CostReport& report) {
     html += section("pictures", "Pictures", pictures(report));
     html += section(rungs);
     const bool any_share = !report.effects.empty() || !report.noise.shares.empty();
+    html += section(stages);
     html += section(effects, any_share ? figure_of(cost_shares_to_svg(report)) : "");
     html += section(noise);
     html += section(precision);

@@ -34,7 +34,7 @@ std::string degrees_figure(const CostReport& report) {
 
 std::string front_words(const renderer::Rung& rung) {
     if (!rung.on_front) return "no";
-    return rung.verified ? "verified" : "predicted";
+    return rung.verified ? "verified" : "yes";
 }
 
 }  // namespace
@@ -94,20 +94,43 @@ CostTable curve_table(const CostReport& report) {
     return table;
 }
 
+CostTable stage_table(const CostReport& report) {
+    const renderer::StageBill& bill = report.stages;
+    CostTable table;
+    table.id = "stages";
+    table.title = "where the time goes";
+    table.columns = {{"stage", true}, {"seconds"}, {"of the time"}, {"what", true}};
+    table.missing = fmt::format("no bill: {}", kStopped);
+    if (bill.samples == 0) return table;
+    table.lead = fmt::format(
+        "of a picture of {} a pixel, rendered in {} s: the time of {} together",
+        counted(bill.samples, "sample"), figure(bill.seconds), counted(bill.workers, "worker"));
+    const double whole = bill.workers * bill.seconds;
+    for (const auto& [stage, seconds] : bill.stages) {
+        table.rows.push_back({std::string(renderer::name_of(stage)), figure(seconds),
+                              percent(seconds / whole), std::string(renderer::words_for(stage))});
+    }
+    table.rows.push_back({"waiting", figure(bill.waiting), percent(bill.waiting / whole),
+                          "for tiles, and between them"});
+    return table;
+}
+
 CostTable effect_table(const CostReport& report) {
     CostTable table;
     table.id = "effects";
     table.title = "the bill of each effect";
     table.lead = fmt::format(
-        "what a picture without it saves, and what it loses: difference from the picture with it; "
-        "FLIP at {} pixels per degree",
+        "what a picture of {} a pixel saves without it, by {} of each (95 %), and what it loses: "
+        "difference from the picture with it; FLIP at {} pixels per degree",
+        counted(report.effect_samples, "sample"), counted(report.effect_runs, "run"),
         degrees_figure(report));
-    table.columns = {{"effect", true}, {"rays"}, {"seconds"}, {"of the time"},
-                     {"RMSE"},         {"FLIP"}, {"maximum"}};
+    table.columns = {{"effect", true}, {"rays"}, {"seconds"}, {"+-"},
+                     {"of all"},       {"RMSE"}, {"FLIP"},    {"max"}};
     for (const renderer::EffectBill& bill : report.effects) {
-        table.rows.push_back({std::string(ir::name_of(bill.effect)), count_figure(bill.rays),
-                              figure(bill.seconds), percent(bill.share), figure(bill.rmse),
-                              figure(bill.flip), figure(bill.maximum)});
+        table.rows.push_back(
+            {std::string(ir::name_of(bill.effect)), count_figure(bill.rays), figure(bill.seconds),
+             figure((bill.seconds_band.high - bill.seconds_band.low) / 2), percent(bill.share),
+             figure(bill.rmse), figure(bill.flip), figure(bill.maximum)});
     }
     if (report.effects.size() > 1) {
         table.notes.emplace_back(
@@ -116,7 +139,7 @@ CostTable effect_table(const CostReport& report) {
     }
     if (std::any_of(report.effects.begin(), report.effects.end(),
                     [](const renderer::EffectBill& bill) { return bill.seconds < 0; })) {
-        table.notes.emplace_back("below 0: the picture took longer without the effect");
+        table.notes.emplace_back("below 0: pictures took longer without the effect");
     }
     table.missing =
         "no bill: the scene calls for no effect, or the study ended before one was measured";
@@ -194,17 +217,16 @@ CostTable rung_table(const CostReport& report) {
     table.lead = fmt::format(
         "the error is from the best picture of the study, noise and bias together: RMSE, and FLIP "
         "at {} pixels per degree; on the front are those that no other beats in both time and "
-        "error, verified if measured by a run of their own",
+        "error, verified if they were run again with another seed",
         degrees_figure(report));
-    table.columns = {{"samples"},   {"for lights"}, {"bounces"}, {"precision", true},
-                     {"seconds"},   {"error"},      {"FLIP"},    {"on the front", true},
-                     {"name", true}};
+    table.columns = {{"samples"}, {"for lights"}, {"bounces"}, {"precision", true},
+                     {"seconds"}, {"error"},      {"FLIP"},    {"on the front", true}};
     for (const renderer::Rung& rung : report.rungs) {
         table.rows.push_back({std::to_string(rung.samples),
                               rung.light_samples == 0 ? "-" : std::to_string(rung.light_samples),
                               std::to_string(rung.bounces), precision_name(rung.precision),
                               figure(rung.seconds), figure(rung.error), figure(rung.flip),
-                              front_words(rung), rung.name.empty() ? "-" : printable(rung.name)});
+                              front_words(rung)});
     }
     table.missing = "no choices: the study ended before any was tried";
     return table;

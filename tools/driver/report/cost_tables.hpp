@@ -25,6 +25,7 @@ struct CostTable {
 };
 
 CostTable curve_table(const renderer::CostReport& report);
+CostTable stage_table(const renderer::CostReport& report);
 CostTable effect_table(const renderer::CostReport& report);
 CostTable noise_table(const renderer::CostReport& report);
 CostTable precision_table(const renderer::CostReport& report);

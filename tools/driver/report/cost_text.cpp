@@ -107,8 +107,8 @@ std::string cost_to_text(const renderer::CostReport& report, const ReportStyle& 
     std::string text = painted(kBold, "what accuracy costs in time", style) + "\n  " +
                        wrapped(cost_subject(report), 2, columns) + "\n\n";
     for (const CostTable& table :
-         {curve_table(report), effect_table(report), noise_table(report), precision_table(report),
-          bias_table(report), rung_table(report)}) {
+         {curve_table(report), stage_table(report), effect_table(report), noise_table(report),
+          precision_table(report), bias_table(report), rung_table(report)}) {
         text += text_of(table, columns, style);
     }
     text += painted(kBold, "recommendation", style) + '\n';

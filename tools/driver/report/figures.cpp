@@ -36,14 +36,15 @@ std::string interval(double low, double high) {
 
 std::string percent_interval(double low, double high) {
     if (!std::isfinite(low) || !std::isfinite(high)) return std::string(kNothing);
-    return percent(low) + " to " + percent(high);
+    return fmt::format("{:.1f} to {:.1f} %", 100 * low, 100 * high);
 }
 
 std::string counted(std::uint64_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string count_figure(std::uint64_t count) {
+std::string count_figure(std::int64_t count) {
+    if (count < 0) return '-' + count_figure(-count);
     constexpr std::string_view kUnits[] = {"k", "M", "G", "T", "P", "E"};
     if (count < 10000) return std::to_string(count);
     double value = static_cast<double>(count) / 1000;

@@ -22,7 +22,7 @@ std::string percent_interval(double low, double high);
 /// "1 ray", "12 rays".
 std::string counted(std::uint64_t count, std::string_view what);
 
-/// "872", "1.23 M".
-std::string count_figure(std::uint64_t count);
+/// "872", "1.23 M", "-12.0 k".
+std::string count_figure(std::int64_t count);
 
 }  // namespace cobble::driver

@@ -39,6 +39,14 @@ std::string stats_to_json(const RenderStats& render) {
     }
     add("write", render.write_seconds);
 
+    Json stages = Json::array();
+    for (std::size_t i = 0; i < renderer::kTimedStages; ++i) {
+        const double seconds = stats.stages.seconds[i];
+        if (seconds == 0) continue;
+        const auto stage = static_cast<renderer::TimedStage>(i);
+        stages.push_back({{"name", renderer::name_of(stage)}, {"seconds", seconds}});
+    }
+
     Positions positions(render.loaded.session->sources);
     Json bad = Json::array();
     for (const renderer::BadSample& sample : stats.bad_samples) {
@@ -63,6 +71,9 @@ std::string stats_to_json(const RenderStats& render) {
           {"complete", render.complete}}},
         {"effects", std::move(effects)},
         {"phases", std::move(phases)},
+        // Of all workers together.
+        {"stages", std::move(stages)},
+        {"workers", stats.workers},
         {"rays",
          {{"camera", counters.camera_rays},
           {"shadow", counters.shadow_rays},
