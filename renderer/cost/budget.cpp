@@ -74,7 +74,11 @@ class Chooser {
         settings.samples = samples;
         const std::optional<Run> made = run(*scene_, settings, *scheduler_, *interrupted_);
         if (!made) return std::nullopt;
-        return Trial{1.0 * samples, made->render_seconds / samples,
+        // Of a part, without what workers wait for its last tiles: a whole picture has more tiles.
+        const double seconds = settings.time_stages
+                                   ? made->stats.stages.sum() / made->stats.workers
+                                   : made->render_seconds;
+        return Trial{1.0 * samples, seconds / samples,
                      static_cast<double>(made->stats.counters.rays()) / samples,
                      made->stats.achieved ? made->stats.achieved->rms : 0, made->prepare_seconds};
     }
@@ -97,6 +101,7 @@ class Chooser {
     std::optional<BudgetChoice> choose_by_part(const Trial& few, double near) const {
         Settings part = settings_;
         part.shard_count = parts();
+        part.time_stages = true;
         part.tile_size = std::min(part.tile_size, kPartTile);
         const std::optional<Trial> part_few =
             try_with(part, static_cast<std::uint32_t>(few.samples));
