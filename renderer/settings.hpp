@@ -41,8 +41,7 @@ struct Settings {
     std::uint32_t width = 640;
     std::uint32_t height = 480;
     std::optional<Crop> crop;
-    std::uint32_t samples =
-        16;  ///< per pixel, from 1; 1 without any sampled effect is the pixel's centre
+    std::uint32_t samples = 16;       ///< per pixel, from 1; 1 is the pixel's centre
     std::uint32_t light_samples = 1;  ///< places on each light with a size, from 1, at each hit
     /// Sets of random numbers, independent of each other, that `samples` are shared out among: more
     /// than one say how large the picture's error is. The first ones take what does not go evenly.

@@ -16,16 +16,20 @@ namespace {
 constexpr std::array kTargets = {0.005, 0.01, 0.02, 0.05};
 
 std::string seconds_text(double seconds) {
+    if (seconds < 0.001) return "less than 1 ms";
     return seconds < 0.1 ? fmt::format("{:.0f} ms", seconds * 1000)
                          : fmt::format("{:.1f} s", seconds);
 }
 
-/// The quickest rung that is at least that exact; null if none is.
-const Rung* quickest_within(const CostReport& report, double error, std::uint32_t light_samples) {
+/// The quickest rung that is at least that exact; null if none is. With more light samples than
+/// were asked about, or with just those; all else is as it was asked about.
+const Rung* quickest_within(const CostReport& report, double error, bool more_light) {
     const Rung* best = nullptr;
     for (const Rung& rung : report.rungs) {
-        const bool plain = rung.light_samples <= 1;
-        if (rung.error > error || plain != (light_samples <= 1)) continue;
+        const bool as_asked =
+            rung.bounces == report.bounces && rung.precision == report.asked_precision &&
+            more_light == (rung.light_samples > std::max(report.light_samples, 1U));
+        if (rung.error > error || !as_asked) continue;
         if (best == nullptr || rung.seconds < best->seconds) best = &rung;
     }
     return best;
@@ -50,13 +54,18 @@ std::string noise_text(const NoiseBill& noise) {
 
 std::string recommend(const CostReport& report) {
     for (const double target : kTargets) {
-        const Rung* const plain = quickest_within(report, target, 1);
+        const Rung* const plain = quickest_within(report, target, false);
         if (plain == nullptr) continue;
-        std::string text = fmt::format("{} samples reach an error of {:g} % in {}", plain->samples,
-                                       100 * target, seconds_text(plain->seconds));
+        const std::string each =
+            plain->light_samples > 1
+                ? fmt::format(" with {} light samples each", plain->light_samples)
+                : std::string();
+        std::string text =
+            fmt::format("{} samples{} reach an error of {:g} % in {}", plain->samples, each,
+                        100 * target, seconds_text(plain->seconds));
         const std::string noise = noise_text(report.noise);
         if (!noise.empty()) text += "; " + noise;
-        const Rung* const split = quickest_within(report, target, 2);
+        const Rung* const split = quickest_within(report, target, true);
         if (split != nullptr && split->seconds < 0.95 * plain->seconds) {
             text += fmt::format(": {} samples with {} light samples each reach it in {}",
                                 split->samples, split->light_samples, seconds_text(split->seconds));

@@ -15,6 +15,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kUsable = 0.98;  ///< of what is left: clocks and neighbours are not exact
 /// Trials of the whole picture end where the next one would take this part of the time.
 constexpr double kTrialPart = 0.05;
+/// No longer than this for either kind, in seconds: more would tell nothing more.
+constexpr double kLongestTrial = 5;
 /// The trial of a part of the picture that comes nearest to the choice takes this part of the time.
 constexpr double kPartTrial = 0.08;
 constexpr std::uint32_t kMostParts = 8;
@@ -49,13 +51,16 @@ class Chooser {
           settings_(settings),
           seconds_(seconds),
           scheduler_(&scheduler),
-          interrupted_(&interrupted) {}
+          interrupted_(&interrupted) {
+        settings_.time_stages = false;
+    }
 
     std::optional<BudgetChoice> choose() {
         std::optional<Trial> few = try_with(settings_, settings_.scrambles);
         if (!few) return std::nullopt;
         std::optional<Trial> before;
-        while (few->prepare_seconds + few->of_one * few->samples * 4 < kTrialPart * seconds_ &&
+        while (few->prepare_seconds + few->of_one * few->samples * 4 <
+                   std::min(kTrialPart * seconds_, kLongestTrial) &&
                few->samples < kMostSamples / 8.0) {
             before = few;
             few = try_with(settings_, static_cast<std::uint32_t>(uneven_rounds(4 * few->samples)));
@@ -75,9 +80,8 @@ class Chooser {
         const std::optional<Run> made = run(*scene_, settings, *scheduler_, *interrupted_);
         if (!made) return std::nullopt;
         // Of a part, without what workers wait for its last tiles: a whole picture has more tiles.
-        const double seconds = settings.time_stages
-                                   ? made->stats.stages.sum() / made->stats.workers
-                                   : made->render_seconds;
+        const double seconds = settings.time_stages ? made->stats.stages.sum() / made->stats.workers
+                                                    : made->render_seconds;
         return Trial{1.0 * samples, seconds / samples,
                      static_cast<double>(made->stats.counters.rays()) / samples,
                      made->stats.achieved ? made->stats.achieved->rms : 0, made->prepare_seconds};
@@ -93,7 +97,8 @@ class Chooser {
     /// Samples that a part of the picture can have for its share of the time, whole rounds.
     [[nodiscard]] double part_samples(const Trial& few) const {
         const double affordable =
-            few.of_one > 0 ? kPartTrial * seconds_ * parts() / few.of_one : kMostSamples;
+            few.of_one > 0 ? std::min(kPartTrial * seconds_, kLongestTrial) * parts() / few.of_one
+                           : kMostSamples;
         return uneven_rounds(std::min(affordable, samples_for(few) / 2));
     }
 

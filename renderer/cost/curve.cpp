@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "ir/math/elementary.hpp"
+#include "ir/math/srgb.hpp"
 #include "renderer/estimate/jackknife.hpp"
 
 namespace cobble::renderer {
@@ -34,7 +35,7 @@ double slope_of(const std::vector<Scatters>& points,
 
 }  // namespace
 
-Scatters scatter_of(const ScrambleSums& sums, std::uint32_t samples, double seconds) {
+Scatters scatter_of(const ScrambleSums& sums, std::uint32_t samples, double seconds, bool light) {
     const std::uint32_t scrambles = sums.scrambles();
     Scatters result;
     result.samples = samples;
@@ -44,7 +45,13 @@ Scatters scatter_of(const ScrambleSums& sums, std::uint32_t samples, double seco
     std::vector<math::Vec3d> means(scrambles);
     for (std::size_t i = 0; i < sums.pixels(); ++i) {
         math::Vec3d sum;
-        for (std::uint32_t k = 0; k < scrambles; ++k) sum += means[k] = sums.mean_of(i, k);
+        for (std::uint32_t k = 0; k < scrambles; ++k) {
+            means[k] = sums.mean_of(i, k);
+            for (std::size_t c = 0; light && c < 3; ++c) {
+                means[k][c] = math::linear_to_srgb(std::clamp(means[k][c], 0.0, 1.0));
+            }
+            sum += means[k];
+        }
         const math::Vec3d mean = sum / n;
         double squares = 0;
         for (std::uint32_t k = 0; k < scrambles; ++k) {

@@ -122,7 +122,7 @@ struct Rung {
     double flip = kNotMeasured;   ///< from the same picture
     bool on_front = false;        ///< no other rung is both quicker and nearer
     bool verified = false;        ///< both were measured again, with another seed
-    std::string name;             ///< a word for people: "preview", "good", "final"
+    std::string name;             ///< for people: "16 spp x 4 light", "2 spp (preview)"
     Plane32 picture;              ///< display values, three channels; empty if not kept
     Plane32 error_map;  ///< largest channel's |difference| of each pixel, one channel; empty if not
 };
@@ -133,6 +133,10 @@ struct CostReport {
     std::uint32_t height = 0;
     std::uint32_t threads = 0;
     std::uint64_t seed = 0;
+    // As asked about; choices may have others.
+    std::uint32_t light_samples = 1;
+    std::uint32_t bounces = 0;
+    Precision asked_precision = Precision::kFloat;
     ErrorCurve curve;
     StageBill stages;
     std::vector<EffectBill> effects;   ///< of those that the scene calls for

@@ -9,9 +9,12 @@ std::optional<Run> run(const ir::Scene& scene, const Settings& settings, Schedul
                        const Interrupted& interrupted) {
     constexpr std::chrono::milliseconds kStep{50};
     const auto job = start_render(scene, settings, scheduler);
-    while (!job->step(std::chrono::steady_clock::now() + kStep).done) {
+    bool done = false;
+    while (!done) {
         if (interrupted()) return std::nullopt;
+        done = job->step(std::chrono::steady_clock::now() + kStep).done;
     }
+    if (interrupted()) return std::nullopt;
     Run result;
     result.picture = job->picture();
     if (!result.picture.complete) return std::nullopt;

@@ -38,7 +38,6 @@ class Studio {
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     }
-    [[nodiscard]] bool interrupted() const { return interrupted_(); }
     /// Whether that much of the time (0 to 1) is not over.
     [[nodiscard]] bool before(double part) const { return seconds() < part * options_.seconds; }
 

@@ -20,10 +20,10 @@ constexpr double kRungsUntil = 1;
 constexpr std::uint32_t kFewestPairs = 8;
 constexpr std::uint32_t kMostPairs = 32;
 
-/// Samples a pixel, a power of two from 1 to 64, of pictures of which `pictures` are made in
-/// `seconds`.
+/// Samples a pixel, a power of two from 2 to 64 (a single one is the pixel's middle, and has not
+/// the noise of others), of pictures of which `pictures` are made in `seconds`.
 std::uint32_t samples_for(const CurveStudy& curve, double seconds, double pictures) {
-    std::uint32_t samples = 1;
+    std::uint32_t samples = 2;
     while (samples < 64 &&
            pictures * (curve.prepare_seconds + 2 * samples * curve.sample_seconds) <= seconds) {
         samples *= 2;
@@ -42,6 +42,9 @@ std::optional<CostReport> study_cost(const ir::Scene& scene, const Settings& set
     report.width = settings.width;
     report.height = settings.height;
     report.seed = settings.seed;
+    report.light_samples = settings.light_samples;
+    report.bounces = settings.bounces;
+    report.asked_precision = settings.precision;
     report.threads = scheduler.workers();
     report.pixels_per_degree = options.pixels_per_degree;
     const auto begin = [&](std::string_view part) {

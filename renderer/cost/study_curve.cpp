@@ -17,6 +17,8 @@ constexpr std::uint32_t kMostSamples = 1U << 14U;
 std::optional<CurveStudy> study_curve(const Studio& studio, double until) {
     CurveStudy result;
     std::vector<Scatters> points;
+    // The first picture of a program takes longer than those after it.
+    if (!studio.run(studio.settings(1))) return std::nullopt;
     for (std::uint32_t samples = 1; samples <= kMostSamples; samples *= 2) {
         Settings settings = studio.settings(samples * kScrambles);
         settings.scrambles = kScrambles;
@@ -24,7 +26,8 @@ std::optional<CurveStudy> study_curve(const Studio& studio, double until) {
         std::optional<Run> run = studio.run(settings);
         if (!run) return std::nullopt;
         const double of_picture = run->render_seconds / kScrambles;
-        points.push_back(scatter_of(*run->sums, samples, run->prepare_seconds + of_picture));
+        points.push_back(scatter_of(*run->sums, samples, run->prepare_seconds + of_picture,
+                                    studio.options().light));
         result.best = std::move(run->picture);
         result.best_rms = std::sqrt(points.back().mean_square / kScrambles);
         result.prepare_seconds = run->prepare_seconds;

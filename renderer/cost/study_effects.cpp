@@ -4,7 +4,6 @@
 
 #include "renderer/cost/parts.hpp"
 #include "renderer/estimate/student.hpp"
-#include "renderer/metrics/compare.hpp"
 
 namespace cobble::renderer {
 namespace {
@@ -29,15 +28,6 @@ void set_seconds(const std::vector<double>& differences, EffectBill& bill) {
 
 }  // namespace
 
-Distance distance(const Studio& studio, const Plane32& a, const Plane32& b) {
-    CompareOptions how;
-    how.pixels_per_degree = studio.options().pixels_per_degree;
-    how.light_a = how.light_b = studio.options().light;
-    how.threads = 0;
-    const Comparison difference = compare(a, b, how);
-    return {std::sqrt(difference.mse), difference.flip, difference.maximum};
-}
-
 std::optional<EffectsStudy> study_effects(const Studio& studio, std::uint32_t samples,
                                           double until) {
     const Settings settings = studio.settings(samples);
@@ -47,6 +37,7 @@ std::optional<EffectsStudy> study_effects(const Studio& studio, std::uint32_t sa
             study.bills.emplace_back().effect = static_cast<ir::Effect>(i);
         }
     }
+    if (study.bills.empty()) return study;
     std::vector<std::vector<double>> saved(study.bills.size());
     double seconds = 0;
     while (study.runs < kFewestRuns || (study.runs < kMostRuns && studio.before(until))) {

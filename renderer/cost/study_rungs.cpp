@@ -24,18 +24,21 @@ std::vector<Choice> choices_of(const Studio& studio, const CurveStudy& curve) {
     std::vector<Choice> choices;
     const auto add = [&](std::uint32_t samples, std::uint32_t light_samples, std::uint32_t bounces,
                          Precision precision) {
-        const double seconds =
-            curve.prepare_seconds + curve.sample_seconds * samples * (1 + light_samples) / 2.0;
+        const double seconds = curve.prepare_seconds + curve.sample_seconds * samples *
+                                                           (1 + light_samples) /
+                                                           (1 + base.light_samples);
         choices.push_back({samples, light_samples, bounces, precision, seconds});
     };
     for (std::uint32_t samples = 2; samples <= 1024; samples *= 2) {
-        add(samples, 1, base.bounces, base.precision);
-        if (soft && samples >= 4) add(samples, 4, base.bounces, base.precision);
+        const std::uint32_t light = base.light_samples;
+        add(samples, light, base.bounces, base.precision);
+        if (soft && samples >= 4) add(samples, 4 * light, base.bounces, base.precision);
         if (goes_on && base.bounces >= 2 && samples >= 8) {
-            add(samples, 1, base.bounces / 2, base.precision);
+            add(samples, light, base.bounces / 2, base.precision);
         }
     }
-    if (base.precision == Precision::kFloat) add(16, 1, base.bounces, Precision::kDouble);
+    if (base.precision == Precision::kFloat)
+        add(16, base.light_samples, base.bounces, Precision::kDouble);
     std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
         return a.expected_seconds < b.expected_seconds;
     });
@@ -52,7 +55,7 @@ void mark_front(std::vector<Rung>& rungs) {
 }
 
 /// The front's, from the quickest to the most exact.
-void name_front(std::vector<Rung>& rungs) {
+void name_front(const Settings& asked, std::vector<Rung>& rungs) {
     std::vector<Rung*> front;
     for (Rung& rung : rungs) {
         if (rung.on_front) front.push_back(&rung);
@@ -64,6 +67,9 @@ void name_front(std::vector<Rung>& rungs) {
         rung.name = std::to_string(rung.samples) + " spp";
         if (rung.light_samples > 1)
             rung.name += " x " + std::to_string(rung.light_samples) + " light";
+        if (rung.bounces != asked.bounces) {
+            rung.name += ", " + std::to_string(rung.bounces) + " bounces";
+        }
         if (i == 0) rung.name += " (preview)";
         if (i + 1 == front.size() && i > 0) rung.name += " (final)";
     }
@@ -170,7 +176,7 @@ std::optional<std::vector<Rung>> study_rungs(const Studio& studio, const CurveSt
         rungs.push_back(std::move(rung));
     }
     if (!verify_front(studio, curve, until, rungs)) return std::nullopt;
-    name_front(rungs);
+    name_front(studio.settings(), rungs);
     // Pictures of choices that nobody should take are of no use.
     for (Rung& rung : rungs) {
         if (rung.on_front) continue;

@@ -24,14 +24,13 @@ PixelEstimate estimate_pixel(const ScrambleSums& sums, std::size_t pixel) {
     return result;
 }
 
-double displayed_half_width(double mean, double reach, bool light) {
-    double low = std::clamp(mean - reach, 0.0, 1.0);
-    double high = std::clamp(mean + reach, 0.0, 1.0);
-    if (light) {
-        low = math::linear_to_srgb(low);
-        high = math::linear_to_srgb(high);
-    }
-    return (high - low) / 2;
+double displayed_reach(double mean, double reach, bool light) {
+    const auto shown = [light](double value) {
+        const double clamped = std::clamp(value, 0.0, 1.0);
+        return light ? math::linear_to_srgb(clamped) : clamped;
+    };
+    const double middle = shown(mean);
+    return std::max(shown(mean + reach) - middle, middle - shown(mean - reach));
 }
 
 }  // namespace cobble::renderer

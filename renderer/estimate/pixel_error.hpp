@@ -10,7 +10,8 @@
 
 namespace cobble::renderer {
 
-/// A pixel's colour over several scrambles of equally many samples.
+/// A pixel's colour over several scrambles of equally many samples, or nearly so: where they do not
+/// go in evenly, the mean is that of the scrambles, not of the samples.
 struct PixelEstimate {
     math::Vec3d mean;
     /// Of the mean, channel by channel: the scrambles' variance over their number. Unbiased.
@@ -21,8 +22,8 @@ struct PixelEstimate {
 /// Of pixel `pixel` of sums of at least two scrambles.
 PixelEstimate estimate_pixel(const ScrambleSums& sums, std::size_t pixel);
 
-/// Half the width of the interval mean +- reach in display values, clamped to those that a display
-/// has: encoded first if the values are light.
-double displayed_half_width(double mean, double reach, bool light);
+/// How far the interval mean +- reach goes from the mean, on the side where it goes further, in
+/// display values: clamped to those that a display has, and encoded if they are light.
+double displayed_reach(double mean, double reach, bool light);
 
 }  // namespace cobble::renderer

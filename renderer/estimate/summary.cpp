@@ -36,10 +36,9 @@ Achieved summarise(const ScrambleSums& sums, const HalfWidth& half_width, bool l
         double width = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             const double deviation = std::sqrt(pixel.variance[c]);
-            const double shown =
-                light ? displayed_half_width(pixel.mean[c], deviation, light) : deviation;
+            const double shown = displayed_reach(pixel.mean[c], deviation, light);
             squares += shown * shown;
-            width = std::max(width, displayed_half_width(pixel.mean[c], t * deviation, light));
+            width = std::max(width, displayed_reach(pixel.mean[c], t * deviation, light));
         }
         widths.push_back(half_width ? half_width(i) : width);
         result.fewest = widths.size() == 1 ? pixel.samples : std::min(result.fewest, pixel.samples);

@@ -12,7 +12,8 @@
 
 namespace cobble::renderer {
 
-/// Memory: 28 bytes a pixel for each scramble, and 12 to 52 for the pictures beside the colour.
+/// Memory: 28 bytes a pixel for each scramble, and 12 to 60 for the pictures beside the colour, 24
+/// for squares.
 class ScrambleSums {
   public:
     struct Wanted {

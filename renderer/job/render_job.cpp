@@ -76,6 +76,9 @@ class Job final : public RenderJob {
         state.planes = film_.picture();
         std::string problem = decode_state(bytes, *scene_, state);
         if (!problem.empty()) return problem;
+        seconds_ = state.tally.seconds;
+        render_seconds_before_ = state.tally.render_seconds;
+        render_processor_seconds_ = state.tally.render_processor_seconds;
         if (!tiles_.empty() && !go_on_with(state)) {
             return "its state is of another way to take samples";
         }
@@ -84,9 +87,6 @@ class Job final : public RenderJob {
         before_.samples = state.tally.samples;
         before_.bad_sample_count = state.tally.bad_sample_count;
         before_.bad_samples = std::move(state.tally.bad_samples);
-        seconds_ = state.tally.seconds;
-        render_seconds_before_ = state.tally.render_seconds;
-        render_processor_seconds_ = state.tally.render_processor_seconds;
         return {};
     }
 
@@ -189,6 +189,7 @@ class Job final : public RenderJob {
     /// Begins the state's pass with the pixels of it that are left. False if it is none of the
     /// plan's.
     bool go_on_with(JobState& state) {
+        const FpEnvironment environment;
         if (!plan_->restore(state.plan)) return false;
         if (state.sums.has_value() != (film_.sums() != nullptr)) return false;
         if (state.sums) {

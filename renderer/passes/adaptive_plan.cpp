@@ -103,7 +103,7 @@ class AdaptivePlan final : public PassPlan {
                           reader.get(has_achieved) && reader.get(achieved) &&
                           reader.get_all(level_.data(), level_.size()) &&
                           reader.get_all(width_.data(), width_.size()) && reader.at_end();
-        if (!read || at > kMostLooks || round_ > kMostLooks) return false;
+        if (!read || round_ > kMostLooks || at > (final_ ? round_ : kScrambles - 1)) return false;
         (final_ ? final_level_ : scramble_) = at;
         begun_elsewhere_ = true;
         if (has_achieved) achieved_ = achieved;

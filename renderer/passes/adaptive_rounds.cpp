@@ -78,7 +78,7 @@ double Intervals::half_width(std::size_t pixel, std::uint32_t look) const {
         const double variance = std::max(of_one_[pixel][c], around[c]) / own.samples;
         widest = std::max(
             widest,
-            displayed_half_width(own.mean[c], standard_errors(look) * std::sqrt(variance), light_));
+            displayed_reach(own.mean[c], standard_errors(look) * std::sqrt(variance), light_));
     }
     return widest;
 }

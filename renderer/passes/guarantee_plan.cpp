@@ -62,9 +62,11 @@ class GuaranteePlan final : public PassPlan {
     }
     [[nodiscard]] bool restore(const std::vector<std::uint8_t>& bytes) override {
         PlanReader reader(bytes);
-        return reader.get(samples_) && reader.get(next_look_) && reader.get(look_) &&
-               reader.get(expected_) && reader.get(widest_) && reader.get(beyond_goal_) &&
-               reader.get_all(active_.bytes().data(), active_.bytes().size()) && reader.at_end();
+        const bool read =
+            reader.get(samples_) && reader.get(next_look_) && reader.get(look_) &&
+            reader.get(expected_) && reader.get(widest_) && reader.get(beyond_goal_) &&
+            reader.get_all(active_.bytes().data(), active_.bytes().size()) && reader.at_end();
+        return read && samples_ < next_look_ && next_look_ <= goal_.most_samples;
     }
 
   private:
@@ -80,7 +82,7 @@ class GuaranteePlan final : public PassPlan {
             const double variance = std::max(square[c] - mean[c] * mean[c], 0.0) * (n / (n - 1));
             const double reach =
                 bernstein_half_width(variance, static_cast<std::uint32_t>(n), channel_miss(look));
-            widest = std::max(widest, displayed_half_width(mean[c], reach, light_));
+            widest = std::max(widest, displayed_reach(mean[c], reach, light_));
         }
         return widest;
     }
@@ -88,7 +90,7 @@ class GuaranteePlan final : public PassPlan {
     /// False if no pixel needs more.
     bool look(const ScrambleSums& sums) {
         ++look_;
-        const bool more = next_look_ <= goal_.most_samples / 2;
+        const bool more = next_look_ < goal_.most_samples;
         for (std::size_t i = 0; i < sums.pixels(); ++i) {
             if (active_.bytes()[i] == 0) continue;
             const double width = half_width(sums, i, look_);
@@ -102,8 +104,9 @@ class GuaranteePlan final : public PassPlan {
             conclude(sums);
             return false;
         }
-        expected_ += left * next_look_;
-        next_look_ *= 2;
+        const std::uint32_t before = next_look_;
+        next_look_ = before > goal_.most_samples / 2 ? goal_.most_samples : 2 * before;
+        expected_ += left * (next_look_ - before);
         return true;
     }
 

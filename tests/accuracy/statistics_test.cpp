@@ -98,12 +98,15 @@ TEST_CASE("a pixel's variance is that of its mean, without bias") {
 }
 
 TEST_CASE("what a display clamps is no error of the picture") {
-    CHECK(displayed_half_width(0.5, 0.1, false) == doctest::Approx(0.1));
-    CHECK(displayed_half_width(5, 1, false) == 0);
-    CHECK(displayed_half_width(-2, 1, false) == 0);
-    CHECK(displayed_half_width(1, 0.1, false) == doctest::Approx(0.05));
+    CHECK(displayed_reach(0.5, 0.1, false) == doctest::Approx(0.1));
+    CHECK(displayed_reach(5, 1, false) == 0);
+    CHECK(displayed_reach(-2, 1, false) == 0);
+    CHECK(displayed_reach(1, 0.1, false) == doctest::Approx(0.1));
+    // The picture shows the mean, however near to an end it is.
+    CHECK(displayed_reach(0.98, 0.05, false) == doctest::Approx(0.05));
+    CHECK(displayed_reach(0.004, 0.0116, false) == doctest::Approx(0.0116));
     // In light, dark values are spread on the display: sRGB's slope at 0 is 12.92.
-    CHECK(displayed_half_width(0.001, 0.001, true) == doctest::Approx(0.01292));
+    CHECK(displayed_reach(0.001, 0.001, true) == doctest::Approx(0.01292));
 }
 
 TEST_CASE("the empirical Bernstein bound holds, and is what its authors say") {

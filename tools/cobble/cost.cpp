@@ -28,6 +28,7 @@ struct Options {
     double budget = 60;
     double ppd = renderer::kDefaultPixelsPerDegree;
     std::uint32_t threads = 0;
+    bool samples_given = false;
     bool json = false;
     bool quiet = false;
 };
@@ -65,6 +66,15 @@ std::string write_outputs(const Options& options, const renderer::CostReport& re
 }
 
 int run(const Options& options, Context& context) {
+    if (options.samples_given) {
+        return usage_error("cost",
+                           "a study tries numbers of samples by itself: leave '--samples' out");
+    }
+    for (const std::string& path : outputs_of(options)) {
+        if (path != "-") continue;
+        return usage_error("cost",
+                           "charts and pages are written to files (./- is a file of that name)");
+    }
     if (std::string problem = check_outputs(options); !problem.empty()) {
         driver::complain(problem);
         return kFailure;
@@ -133,7 +143,8 @@ void add_cost(CLI::App& app, Context& context) {
         ->type_name("N")
         ->capture_default_str();
     sub->add_flag("--quiet", options->quiet, "No progress, no warnings");
-    sub->callback([options, &context] {
+    sub->callback([options, sub, &context] {
+        options->samples_given = sub->count("--samples") > 0;
         context.run = [options, &context] { return run(*options, context); };
     });
 }

@@ -47,6 +47,8 @@ void exit_on_interrupt() {
 InterruptGuard::InterruptGuard(renderer::RenderJob* job) {
     guarded_job = job;
     guarded = true;
+    // An interrupt between two guards is one of this job too.
+    if (caught && job != nullptr) job->cancel();
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -235,10 +235,15 @@ class Render {
         const renderer::Picture picture = job.picture();
         if (!picture.complete) {
             if (progress.fraction > 0 && checkpointing_.save(job)) {
-                driver::complain(
-                    fmt::format("interrupted at {:.0f} %: the checkpoint is in {}, and '--resume' "
-                                "goes on from it",
-                                std::floor(progress.fraction * 100), checkpointing_.path()));
+                const std::string instead =
+                    options_.accuracy.budget > 0
+                        ? fmt::format(" with '--samples {} --scrambles {}' in place of '--budget'",
+                                      view_.settings.samples, view_.settings.scrambles)
+                        : std::string();
+                driver::complain(fmt::format(
+                    "interrupted at {:.0f} %: the checkpoint is in {}, and '--resume' "
+                    "goes on from it{}",
+                    std::floor(progress.fraction * 100), checkpointing_.path(), instead));
                 return kInterrupted;
             }
             if (progress.fraction < kWorthKeeping) return leave_as_it_was();
@@ -290,6 +295,12 @@ class Render {
     // By a trial; false if it was interrupted.
     bool choose_samples(renderer::Scheduler& scheduler) {
         const InterruptGuard guard;
+        // Of a trial of some seconds people shall know.
+        constexpr double kLong = 20;
+        if (options_.accuracy.budget > kLong) {
+            say(fmt::format("budget {:g} s: trying how long samples take\n",
+                            options_.accuracy.budget));
+        }
         const auto choice = renderer::choose_for_budget(
             view_.loaded.lowered.scene, view_.settings, options_.accuracy.budget, scheduler,
             [] { return InterruptGuard::interrupted(); });

@@ -8,9 +8,16 @@
 namespace cobble::driver {
 
 std::string guarantee_text(const renderer::ErrorGoal& goal) {
+    const std::uint32_t fewest = renderer::guarantee_fewest_samples(goal.error);
+    if (fewest > goal.most_samples) {
+        return fmt::format(
+            "error {:g} guaranteed: would take {} samples a pixel at least, and --max-samples "
+            "allows {}\n",
+            goal.error, fewest, goal.most_samples);
+    }
     return fmt::format(
         "error {:g} guaranteed: takes {} samples a pixel at least, each clamped to [0, 1]\n",
-        goal.error, renderer::guarantee_fewest_samples(goal.error));
+        goal.error, fewest);
 }
 
 std::string forecast_text(const renderer::Forecast& forecast, double error) {
@@ -49,9 +56,10 @@ std::string achieved_text(const renderer::Achieved& achieved, const renderer::Er
     text += '\n';
     if (achieved.beyond_goal > 0) {
         text += fmt::format(
-            "error: {} of {} pixels took all {} samples allowed and are not within {:g} "
-            "(--max-samples allows more)\n",
-            achieved.beyond_goal, achieved.pixels, goal->most_samples, goal->error);
+            "not reached: {} of {} pixels are not within {:g} after {} samples (--max-samples "
+            "allows "
+            "more)\n",
+            achieved.beyond_goal, achieved.pixels, goal->error, achieved.most);
     }
     return text;
 }

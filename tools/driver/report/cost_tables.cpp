@@ -50,8 +50,12 @@ std::string rung_name(const renderer::Rung& rung) {
 }
 
 std::string cost_subject(const CostReport& report) {
-    return fmt::format("{}, {}x{}, {}, seed {}", printable(report.scene), report.width,
-                       report.height, counted(report.threads, "thread"), report.seed);
+    std::string text = fmt::format("{}, {}x{}, {}, seed {}", printable(report.scene), report.width,
+                                   report.height, counted(report.threads, "thread"), report.seed);
+    if (report.light_samples > 1) {
+        text += fmt::format(", {} light samples each", report.light_samples);
+    }
+    return text;
 }
 
 std::string cost_study_time(const CostReport& report) {
@@ -141,8 +145,8 @@ CostTable effect_table(const CostReport& report) {
                     [](const renderer::EffectBill& bill) { return bill.seconds < 0; })) {
         table.notes.emplace_back("below 0: pictures took longer without the effect");
     }
-    table.missing =
-        "no bill: the scene calls for no effect, or the study ended before one was measured";
+    table.missing = report.effect_samples > 0 ? "no bill: the scene calls for no effect"
+                                              : fmt::format("no bill: {}", kStopped);
     return table;
 }
 
@@ -157,7 +161,8 @@ CostTable noise_table(const CostReport& report) {
         counted(noise.samples, "sample"), counted(noise.seeds, "seed"));
     table.columns = {
         {"source", true}, {"alone"}, {"95 % interval"}, {"with others"}, {"95 % interval"}};
-    table.missing = "no bill: the study ended before it was measured";
+    table.missing = noise.samples > 0 ? "no bill: the pictures have no noise"
+                                      : fmt::format("no bill: {}", kStopped);
     for (const renderer::NoiseShare& share : noise.shares) {
         table.rows.push_back({printable(share.name), percent(share.first),
                               percent_interval(share.first_band), percent(share.total),

@@ -17,16 +17,20 @@ std::uint64_t pixels_of(const DifferenceReport& report) {
 std::string difference_to_text(const DifferenceReport& report) {
     const renderer::Comparison& c = report.comparison;
     const std::uint64_t pixels = pixels_of(report);
+    // Where no pixel is finite in both, nothing was compared.
+    const auto number = [any = c.not_finite < pixels](double value) {
+        return any ? fmt::format("{:.9g}", value) : std::string("-");
+    };
     std::string text = fmt::format(
-        "MSE              {:.9g}\n"
-        "relMSE           {:.9g}\n"
-        "MAE              {:.9g}\n"
-        "maximum          {:.9g}\n"
-        "99th percentile  {:.9g}\n"
+        "MSE              {}\n"
+        "relMSE           {}\n"
+        "MAE              {}\n"
+        "maximum          {}\n"
+        "99th percentile  {}\n"
         "FLIP             {:.9g} (maximum {:.9g}; {:g} pixels per degree)\n"
         "differing        {} of {} pixels\n",
-        c.mse, c.rel_mse, c.mae, c.maximum, c.percentile_99, c.flip, c.flip_maximum,
-        c.pixels_per_degree, c.differing, pixels);
+        number(c.mse), number(c.rel_mse), number(c.mae), number(c.maximum), number(c.percentile_99),
+        c.flip, c.flip_maximum, c.pixels_per_degree, c.differing, pixels);
     if (report.tolerance) {
         text += fmt::format("beyond tolerance {} of {} pixels (by more than {:g})\n",
                             c.beyond_tolerance, pixels, *report.tolerance);
@@ -42,16 +46,19 @@ std::string difference_to_json(const DifferenceReport& report) {
     const auto if_any = [&report](const auto& value) {
         return report.tolerance ? Json(value) : Json();
     };
+    const auto number = [any = c.not_finite < pixels_of(report)](double value) {
+        return any ? Json(value) : Json();
+    };
     return pretty({{"cobble_diff", 1},
                    {"a", report.a},
                    {"b", report.b},
                    {"width", report.width},
                    {"height", report.height},
-                   {"mse", c.mse},
-                   {"rel_mse", c.rel_mse},
-                   {"mae", c.mae},
-                   {"maximum", c.maximum},
-                   {"percentile_99", c.percentile_99},
+                   {"mse", number(c.mse)},
+                   {"rel_mse", number(c.rel_mse)},
+                   {"mae", number(c.mae)},
+                   {"maximum", number(c.maximum)},
+                   {"percentile_99", number(c.percentile_99)},
                    {"flip",
                     {{"mean", c.flip},
                      {"maximum", c.flip_maximum},

@@ -19,6 +19,26 @@ std::uint64_t peak_bytes() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
 }
 
+/// What was asked of the error, and what it came to; null if the render cannot tell.
+Json accuracy_to_json(const renderer::Settings& settings, const renderer::Stats& stats) {
+    if (!stats.achieved) return nullptr;
+    const renderer::Achieved& achieved = *stats.achieved;
+    Json json = {{"rms", achieved.rms},
+                 {"within_99_percent", achieved.percentile_99},
+                 {"within_all", achieved.largest},
+                 {"samples", achieved.samples},
+                 {"fewest_samples", achieved.fewest},
+                 {"most_samples", achieved.most}};
+    if (settings.goal) {
+        constexpr std::string_view kMethods[] = {"adaptive", "unbiased", "guarantee"};
+        json["goal"] = {{"error", settings.goal->error},
+                        {"method", kMethods[static_cast<std::size_t>(settings.goal->method)]},
+                        {"max_samples", settings.goal->most_samples},
+                        {"pixels_beyond", achieved.beyond_goal}};
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string stats_to_json(const RenderStats& render) {
@@ -65,10 +85,12 @@ std::string stats_to_json(const RenderStats& render) {
         {"picture",
          {{"width", render.settings.width},
           {"height", render.settings.height},
-          {"samples", render.settings.samples},
+          {"samples", render.settings.goal ? Json() : Json(render.settings.samples)},
+          {"scrambles", render.settings.goal ? Json() : Json(render.settings.scrambles)},
           {"bounces", render.settings.bounces},
           {"seed", render.settings.seed},
           {"complete", render.complete}}},
+        {"accuracy", accuracy_to_json(render.settings, stats)},
         {"effects", std::move(effects)},
         {"phases", std::move(phases)},
         // Of all workers together.

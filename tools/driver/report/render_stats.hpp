@@ -21,8 +21,9 @@ struct RenderStats {
     double write_seconds = 0;
 };
 
-/// {"cobble_stats": 1, "picture": ..., "phases": [{"name", "seconds"}], "stages": the same, of all
-/// "workers" together while they rendered, "rays": by kind, "tests", "memory": bytes, "notes":
+/// {"cobble_stats": 1, "picture": ..., "accuracy": the error, "phases": [{"name", "seconds"}],
+/// "stages": the same, of all "workers" together while they rendered, "rays": by kind, "tests",
+/// "memory": bytes, "notes":
 /// [{"kind", "object", "count", "message"}] of what preparing the geometry cost, "bad_samples":
 /// ...}, and a line end. Fields are only ever added.
 std::string stats_to_json(const RenderStats& stats);
