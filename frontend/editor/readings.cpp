@@ -15,7 +15,6 @@
 namespace cobble::frontend::editor {
 namespace {
 
-using grammar::FieldId;
 using grammar::FieldRow;
 using grammar::ValueType;
 
@@ -32,7 +31,7 @@ std::string first_clause(std::string_view doc) {
 
 /// "30 degrees", "1 world unit", "0.1 per square world unit".
 std::string with_unit(double number, std::string_view unit) {
-    const std::string shown = short_number(number);
+    std::string shown = short_number(number);
     constexpr std::string_view kPer = "1 / ";
     if (unit.starts_with(kPer)) {
         unit.remove_prefix(kPer.size());
@@ -94,7 +93,7 @@ std::string number_reading(const CheckedScene& scene, const FieldNode& field,
     // The unit of an axis and an angle is that of the angle.
     std::string_view unit = row.unit;
     if (row.type == ValueType::kNumbers4) unit = component == 3 ? "degrees" : "";
-    const std::string text = with_unit(values[component].number, unit);
+    std::string text = with_unit(values[component].number, unit);
     // Of one component the name says what it is; the field's meaning is that of all of them.
     if (values.size() > 1) return text;
     return fmt::format("{}, {}", text, first_clause(value_doc(row)));

@@ -12,7 +12,6 @@ using grammar::BlockId;
 using grammar::BlockRow;
 using grammar::FieldId;
 using grammar::FieldRow;
-using grammar::Layout;
 using grammar::ValueType;
 
 bool is_finite(double x) {

@@ -28,7 +28,9 @@ TEST_CASE("every editor question answers as its cases say") {
         const auto marked = testing::read_marks(test::read_file(path));
         const std::string answer = testing::answer(question, marked);
         CHECK(!answer.empty());
-        test::check_golden(folder + "/" + name + ".expected", answer);
+        std::string expected = folder;
+        expected.append("/").append(name).append(".expected");
+        test::check_golden(expected, answer);
     }
     CHECK(asked == std::set<std::string>{"colors", "completion", "hover", "links", "outline",
                                          "references", "selections", "signature", "tokens"});

@@ -30,11 +30,9 @@
 namespace cobble::frontend::editor {
 namespace {
 
-const std::string kRoot = COBBLE_ROOT;
-
 std::vector<std::string> texts_in(const std::string& folder) {
     std::vector<std::string> texts;
-    for (const std::string& path : test::files_in(kRoot + "/" + folder, ".scene")) {
+    for (const std::string& path : test::files_in(COBBLE_ROOT "/" + folder, ".scene")) {
         texts.push_back(testing::read_marks(test::read_file(path)).text);
     }
     return texts;
@@ -55,8 +53,8 @@ std::vector<std::string> odd_texts() {
             "\"\"\"\"\n\"",
             "//\n//\r//\r\n//",
             "Material Material Material { Material { Noise { color",
-            std::string("Group {\0 binary", 15),
-            "\xFF\xFE\x00",
+            std::string("Group {") + '\0' + " binary",
+            "\xFF\xFEG",
             "Materials { Material { texture a`\xFF`b normal caf\xC3\xA9 } }",
             "Group {\n\tSphere { center 1e999 0x3 -inf radius 1.2.3 }\n}"};
 }
