@@ -71,6 +71,28 @@ class Completer {
         return word_kind() == TokenKind::kString || word_kind() == TokenKind::kUnterminatedString;
     }
 
+    /// True if values, a label or a brace follow the word on its line: it is a name that is being
+    /// changed, and what stands behind it stays.
+    [[nodiscard]] bool goes_on() const {
+        if (!typing_.word.valid() || scene_.tokens.line_ends_after(typing_.word)) return false;
+        const TokenId next{typing_.word.value + 1};
+        switch (scene_.tokens.kind(next)) {
+            case TokenKind::kCloseBrace:
+            case TokenKind::kEndOfFile:
+                return false;
+            case TokenKind::kWord:
+                return !grammar::is_vocabulary_name(scene_.tokens.text_of(next));
+            default:
+                return true;
+        }
+    }
+
+    CompletionItem& add_name(std::string_view name, CompletionKind kind, SampleText text,
+                             std::uint32_t rank) {
+        if (goes_on()) text = {std::string(name), std::string(name)};
+        return add(name, kind, std::move(text), rank);
+    }
+
     CompletionItem& add(std::string_view label, CompletionKind kind, SampleText text,
                         std::uint32_t rank) {
         CompletionItem& item = result_.items.emplace_back();
@@ -179,7 +201,8 @@ class Completer {
                 text.plain = fmt::format("{} {}", field.name, members.counted);
                 text.snippet = fmt::format("{} ${{1:{}}}", field.name, members.counted);
             }
-            CompletionItem& item = add(field.name, CompletionKind::kField, std::move(text), rank);
+            CompletionItem& item =
+                add_name(field.name, CompletionKind::kField, std::move(text), rank);
             item.detail = without_marks(value_words(field));
             item.documentation = joined(field_paragraphs(field));
         }
@@ -194,7 +217,7 @@ class Completer {
         if (row.role == Role::kMaterialIndex && !any_material_before()) rank = kRequired;
         SampleText sample = sample_block(row.id, label);
         if (row.role == Role::kMotion) sample = motion_sample(std::move(sample));
-        CompletionItem& item = add(row.name, CompletionKind::kBlock, std::move(sample), rank);
+        CompletionItem& item = add_name(row.name, CompletionKind::kBlock, std::move(sample), rank);
         item.detail = first_sentence(row.doc);
         item.documentation = joined(block_paragraphs(row));
     }

@@ -45,8 +45,9 @@ struct Completion {
     ExpectedPath expects_path;
 };
 
-/// Lines of an inserted text after its first are indented as if the first were not: clients add
-/// the indentation of the line.
+/// Before values, a label or a brace on its line a name is completed to itself, not to a whole
+/// field or block. Lines of an inserted text after its first are indented as if the first were not:
+/// clients add the indentation of the line.
 Completion complete(const CheckedScene& scene, std::string_view text, std::uint32_t offset);
 
 /// The field or inline block whose values surround an offset.
