@@ -38,6 +38,7 @@ void add_pick(CLI::App& app, Context& context);
 void add_stability(CLI::App& app, Context& context);
 void add_cost(CLI::App& app, Context& context);
 void add_ir(CLI::App& app, Context& context);
+void add_lsp(CLI::App& app, Context& context);
 void add_dump(CLI::App& app, Context& context);
 
 }  // namespace cobble

@@ -92,7 +92,7 @@ int run(std::vector<std::string> arguments) {
     CLI::App app;
     describe(app);
     for (const auto add : {add_lint, add_fmt, add_render, add_explain, add_diff, add_pick,
-                           add_stability, add_cost, add_ir, add_dump, add_merge}) {
+                           add_stability, add_cost, add_ir, add_dump, add_merge, add_lsp}) {
         add(app, context);
     }
     if (const std::string problem = rewrite_old_spellings(arguments); !problem.empty()) {
