@@ -72,7 +72,11 @@ def test_life(program):
     expect("before initialize", client.ask("textDocument/hover", **DOCUMENT)["error"]["code"],
            -32002)
     result = client.start()
-    expect("encoding", result["capabilities"]["positionEncoding"], "utf-16")
+    able = result["capabilities"]
+    expect("encoding", able["positionEncoding"], "utf-16")
+    expect("triggers", (able["documentOnTypeFormattingProvider"]["moreTriggerCharacter"],
+                        able["signatureHelpProvider"]["triggerCharacters"]), (["\n"], [" "]))
+    expect("kinds", able["codeActionProvider"]["codeActionKinds"], ["quickfix", "source.fixAll"])
     expect("again", client.ask("initialize", capabilities={})["error"]["code"], -32600)
     expect("unknown", client.ask("no/such")["error"]["code"], -32601)
     expect("not open", client.ask("textDocument/hover", **DOCUMENT, position=at(0, 0))
@@ -126,6 +130,9 @@ def test_findings(program):
     expect("clean", client.findings(URI, 2), [])
     client.change(URI, 3, {"text": broken})
     expect("whole text", len(client.findings(URI, 3)), 1)
+    client.change(URI, 5, {"text": GOOD.replace("    Material red", "    Material b {}\n    Material red")})
+    unused = [f["tags"] for f in client.findings(URI, 5) if f["code"] == "unused-material"]
+    expect("faded", unused, [[1]])
     client.notify("textDocument/didClose", **DOCUMENT)
     expect("closed", client.findings(URI), [])
     expect("status", client.stop(), 0)

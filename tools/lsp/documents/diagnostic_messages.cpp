@@ -55,7 +55,7 @@ class Writer {
                  {"message", other.message}});
         }
         if (!related.empty()) json["relatedInformation"] = std::move(related);
-        if (diagnostic.code->code.starts_with("unused")) json["tags"] = {kUnnecessary};
+        if (diagnostic.code->code.starts_with("unused")) json["tags"] = Json::array({kUnnecessary});
         json["data"] = driver::to_json(diagnostic, as_lint_has_it_);
         return json;
     }

@@ -76,7 +76,7 @@ Json code_actions(Workspace& workspace, const Json& params) {
         const FixedText fixed = workspace.language_of(document.path())
                                     .fix_all(document.path(), document.text(), workspace.files);
         if (fixed.applied > 0) {
-            const Json edits = {difference(document.text(), fixed.text, positions)};
+            const Json edits = Json::array({difference(document.text(), fixed.text, positions)});
             actions.push_back({{"title", "Fix all that can be fixed safely"},
                                {"kind", kFixAll},
                                {"edit", {{"changes", {{document.uri(), edits}}}}}});
