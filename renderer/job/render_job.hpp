@@ -44,8 +44,8 @@ class RenderJob {
     /// for a mesh of a million triangles. Cancelled meanwhile, by a signal or another thread, it
     /// ends within some 50 ms (measured for that mesh, most of it to give memory back).
     /// The last step of a picture that tells its error overruns by some 0.3 us a pixel, to sum it
-    /// up. Results do not depend on deadlines, threads or tile size. Throws only if
-    /// memory runs out: then what there is can still be read, but the job must take no other step.
+    /// up. Results do not depend on deadlines, threads or tile size. Throws only if memory runs
+    /// out: then what there is can still be read, but the job must take no other step.
     virtual Progress step(Deadline deadline) = 0;
     /// May be called from another thread or a signal handler; the running step returns soon.
     virtual void cancel() = 0;
@@ -77,7 +77,8 @@ struct Resumed {
 /// The same, from where a job was whose state() this is. The picture is the one that it would have
 /// become without the interruption, to the bit, whatever the threads, tiles and acceleration before
 /// and after. Bytes that are no state of such a job are refused; that they are of the same scene
-/// and settings, and unchanged, is for whoever kept them to see to.
+/// and settings, and unchanged, is for whoever kept them to see to. Of a picture with an error to
+/// reach that was stopped between two rounds, all pixels are looked at before this returns.
 Resumed resume_render(const ir::Scene& scene, const Settings& settings, Scheduler& scheduler,
                       std::string_view state);
 

@@ -37,7 +37,7 @@ Json format_range(Workspace& workspace, const Json& params) {
     return edits_of(workspace, document, first, end.line);
 }
 
-/// After a `}` or a new line: the line, and what stands before it.
+/// After a `}` its line; after a new line the one before it.
 Json format_on_type(Workspace& workspace, const Json& params) {
     const Document& document = workspace.document_of(params);
     const TextPositions positions = workspace.positions_of(document.text());
